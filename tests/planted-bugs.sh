@@ -87,7 +87,7 @@ plant printed-number-inside core/src/encode/printed.rs \
     } else {' \
   slimbvh-core printed::
 plant strangers-in-a-packet core/src/trace/packet.rs \
-  'let who = self.members & enter' 'let who = enter' \
+  'let who = self.who & enter' 'let who = enter' \
   slimbvh-tests packets::
 # What fuzzing found is in the seeds.
 plant cells-that-underflow core/src/encode/printed.rs \

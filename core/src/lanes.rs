@@ -37,7 +37,7 @@ impl Lanes for f32 {
     }
 }
 
-/// Four numbers a group. Masks hold a bit a lane, the first lane lowest.
+/// Four numbers a group, in at most eight groups. Masks hold a bit a lane, the first lane lowest.
 #[derive(Clone, Copy, Debug)]
 pub struct Wide<const GROUPS: usize>(pub [Vec4; GROUPS]);
 
@@ -57,14 +57,14 @@ impl<const GROUPS: usize> Wide<GROUPS> {
         wide
     }
 
-    /// The second where they are equal or unordered.
+    /// The smaller in each lane.
     #[inline(always)]
     #[must_use]
     pub fn min(self, other: Self) -> Self {
         self.each(other, Vec4::min)
     }
 
-    /// The second where they are equal or unordered.
+    /// The larger in each lane.
     #[inline(always)]
     #[must_use]
     pub fn max(self, other: Self) -> Self {
@@ -82,6 +82,7 @@ impl<const GROUPS: usize> Wide<GROUPS> {
 
     #[inline(always)]
     fn mask(self, other: Self, of: impl Fn(Vec4, Vec4) -> u32) -> u32 {
+        const { assert!(GROUPS <= 8, "a mask has 32 bits") };
         let mut mask = 0;
         for group in 0..GROUPS {
             mask |= of(self.0[group], other.0[group]) << (4 * group);

@@ -34,10 +34,10 @@ pub trait Planes: Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = 
     /// All distances times the same.
     fn scaled(self, factor: f32) -> Self;
 
-    /// The second where they are equal or unordered.
+    /// The smaller of each.
     fn min(self, other: Self) -> Self;
 
-    /// The second where they are equal or unordered.
+    /// The larger of each.
     fn max(self, other: Self) -> Self;
 
     /// In the place of each plane the other one of its box.

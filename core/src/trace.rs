@@ -119,12 +119,13 @@ pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Col
         rule,
         collector,
     };
-    walk(stack, nodes, triangles, root, &mut query);
+    let mut steps = nodes.step_limit();
+    walk(stack, nodes, triangles, root, &mut query, &mut steps);
 }
 
 /// Walks the tree below a node, near child first, and lets the query test every triangle on the way.
 ///
-/// A node is passed over only if all rays miss its box or enter it beyond their collectors' limits.
+/// A node is passed over only if all rays miss its box or enter it beyond their collectors' limits. Ends where no steps are left.
 #[inline(always)]
 fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
     stack: &mut Stack<N::Cursor, Q::Enter>,
@@ -132,13 +133,13 @@ fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
     triangles: &T,
     root: N::Cursor,
     query: &mut Q,
+    steps: &mut u32,
 ) {
     let mut cursor = root;
     let mut depth = 0usize;
-    let mut at_node = query.is_due(query.begin());
-    let mut steps = nodes.step_limit();
+    let mut at_node = query.begin();
 
-    while (at_node || depth > 0) && steps > 0 {
+    while (at_node || depth > 0) && *steps > 0 {
         if !at_node {
             // Take the nearest node that waits, unless hits have been found before it.
             depth -= 1;
@@ -146,7 +147,7 @@ fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
             at_node = query.is_due(stack.enter(depth));
         }
         if at_node {
-            steps -= 1;
+            *steps -= 1;
             let run = nodes.leaf(cursor);
             if run.is_leaf {
                 for number in 0..run.count {
@@ -157,11 +158,8 @@ fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
                     };
                     query.test(triangles, &place);
                 }
-                at_node = false;
-                if query.is_done() {
-                    depth = 0;
-                }
-            } else if query.divide(nodes, triangles, cursor) {
+            }
+            if run.is_leaf || query.divide(nodes, triangles, cursor) {
                 at_node = false;
                 if query.is_done() {
                     depth = 0;
@@ -177,10 +175,14 @@ fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
                     cursor = if left_first { node.left } else { node.right };
                     query.follow(opened.near_enter());
                 } else {
-                    let is_left = opened.meets_left;
-                    cursor = if is_left { node.left } else { node.right };
-                    query.follow(opened.enter_of(is_left));
-                    at_node = is_left || opened.meets_right;
+                    cursor = if opened.meets_left {
+                        query.follow(opened.enter_left);
+                        node.left
+                    } else {
+                        query.follow(opened.enter_right);
+                        node.right
+                    };
+                    at_node = opened.meets_left || opened.meets_right;
                 }
             }
         }

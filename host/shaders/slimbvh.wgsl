@@ -105,123 +105,122 @@ fn slimbvh_trace() {
     var phi_814_: f32;
     var phi_815_: f32;
     var phi_829_: SlimbvhTypeK;
-    var phi_2751_: bool;
-    var phi_840_: SlimbvhTypeK;
-    var phi_843_: bool;
-    var phi_845_: u32;
-    var phi_847_: u32;
-    var phi_849_: u32;
-    var phi_860_: bool;
-    var phi_892_: bool;
-    var phi_893_: u32;
-    var phi_894_: u32;
-    var phi_2066_: SlimbvhTypeL;
-    var phi_2428_: u32;
-    var phi_2456_: u32;
-    var phi_2457_: u32;
-    var phi_2458_: u32;
-    var phi_2460_: u32;
-    var phi_2461_: u32;
-    var phi_2462_: bool;
-    var phi_2471_: u32;
-    var phi_2476_: bool;
-    var phi_2478_: u32;
-    var phi_909_: SlimbvhTypeK;
-    var phi_912_: SlimbvhTypeA;
-    var phi_913_: SlimbvhTypeA;
-    var phi_935_: SlimbvhTypeA;
-    var phi_956_: u32;
-    var phi_1048_: array<array<f32, 3>, 3>;
-    var phi_1200_: bool;
-    var phi_1229_: bool;
-    var phi_1648_: f32;
-    var phi_1649_: f32;
-    var phi_1650_: f32;
-    var phi_1651_: f32;
-    var phi_1652_: vec3<f32>;
-    var phi_1653_: vec3<f32>;
-    var phi_1654_: vec3<f32>;
-    var phi_1655_: vec3<f32>;
-    var phi_1692_: bool;
-    var phi_1701_: vec3<f32>;
-    var phi_1866_: f32;
-    var phi_1868_: f32;
-    var phi_1869_: bool;
-    var phi_1889_: f32;
-    var phi_1890_: f32;
-    var phi_1913_: SlimbvhTypeE;
-    var phi_1915_: SlimbvhTypeE;
-    var phi_1916_: bool;
-    var phi_1920_: SlimbvhTypeE;
-    var phi_1921_: SlimbvhTypeE;
-    var phi_1922_: SlimbvhTypeE;
-    var phi_1923_: bool;
-    var phi_1927_: SlimbvhTypeE;
-    var phi_1928_: bool;
-    var phi_1929_: SlimbvhTypeE;
-    var phi_1930_: bool;
-    var phi_1931_: bool;
-    var phi_1932_: SlimbvhTypeE;
-    var phi_1933_: bool;
-    var phi_1934_: bool;
-    var phi_1942_: SlimbvhTypeE;
-    var phi_1943_: bool;
-    var phi_1947_: SlimbvhTypeE;
-    var phi_1972_: bool;
-    var phi_1973_: bool;
-    var phi_1980_: SlimbvhTypeK;
-    var phi_1981_: SlimbvhTypeK;
-    var phi_1982_: SlimbvhTypeK;
-    var phi_910_: SlimbvhTypeK;
-    var phi_2745_: bool;
-    var local_2: SlimbvhTypeK;
-    var local_3: SlimbvhTypeK;
-    var phi_1989_: bool;
-    var phi_2910_: bool;
-    var phi_2482_: SlimbvhTypeK;
-    var phi_2483_: bool;
-    var phi_2484_: u32;
-    var phi_2485_: u32;
-    var phi_2909_: bool;
-    var phi_2486_: SlimbvhTypeK;
-    var phi_2487_: bool;
-    var phi_2488_: u32;
-    var phi_2489_: u32;
-    var phi_2490_: u32;
-    var phi_2908_: bool;
-    var phi_2491_: SlimbvhTypeK;
-    var phi_2492_: bool;
-    var phi_2493_: u32;
-    var phi_2494_: u32;
-    var phi_2495_: u32;
-    var phi_2907_: bool;
-    var phi_841_: SlimbvhTypeK;
+    var phi_2747_: bool;
+    var phi_839_: SlimbvhTypeK;
+    var phi_842_: u32;
     var phi_844_: bool;
     var phi_846_: u32;
     var phi_848_: u32;
-    var phi_850_: u32;
-    var phi_2496_: bool;
-    var phi_2906_: bool;
-    var local_4: SlimbvhTypeK;
+    var phi_859_: bool;
+    var phi_891_: bool;
+    var phi_892_: u32;
+    var phi_893_: u32;
+    var phi_908_: SlimbvhTypeK;
+    var phi_911_: SlimbvhTypeA;
+    var phi_912_: SlimbvhTypeA;
+    var phi_934_: SlimbvhTypeA;
+    var phi_955_: u32;
+    var phi_1047_: array<array<f32, 3>, 3>;
+    var phi_1199_: bool;
+    var phi_1228_: bool;
+    var phi_1647_: f32;
+    var phi_1648_: f32;
+    var phi_1649_: f32;
+    var phi_1650_: f32;
+    var phi_1651_: vec3<f32>;
+    var phi_1652_: vec3<f32>;
+    var phi_1653_: vec3<f32>;
+    var phi_1654_: vec3<f32>;
+    var phi_1691_: bool;
+    var phi_1700_: vec3<f32>;
+    var phi_1865_: f32;
+    var phi_1867_: f32;
+    var phi_1868_: bool;
+    var phi_1888_: f32;
+    var phi_1889_: f32;
+    var phi_1912_: SlimbvhTypeE;
+    var phi_1914_: SlimbvhTypeE;
+    var phi_1915_: bool;
+    var phi_1919_: SlimbvhTypeE;
+    var phi_1920_: SlimbvhTypeE;
+    var phi_1921_: SlimbvhTypeE;
+    var phi_1922_: bool;
+    var phi_1926_: SlimbvhTypeE;
+    var phi_1927_: bool;
+    var phi_1928_: SlimbvhTypeE;
+    var phi_1929_: bool;
+    var phi_1930_: bool;
+    var phi_1931_: SlimbvhTypeE;
+    var phi_1932_: bool;
+    var phi_1933_: bool;
+    var phi_1941_: SlimbvhTypeE;
+    var phi_1942_: bool;
+    var phi_1946_: SlimbvhTypeE;
+    var phi_1971_: bool;
+    var phi_1972_: bool;
+    var phi_1979_: SlimbvhTypeK;
+    var phi_1980_: SlimbvhTypeK;
+    var phi_1981_: SlimbvhTypeK;
+    var phi_909_: SlimbvhTypeK;
+    var phi_2741_: bool;
+    var phi_2937_: bool;
+    var phi_1982_: SlimbvhTypeK;
+    var phi_2047_: SlimbvhTypeL;
+    var phi_2409_: u32;
+    var phi_2436_: u32;
+    var phi_2437_: u32;
+    var phi_2438_: u32;
+    var phi_2440_: u32;
+    var phi_2441_: u32;
+    var phi_2442_: bool;
+    var phi_2451_: u32;
+    var phi_2456_: bool;
+    var phi_2458_: u32;
+    var phi_2462_: bool;
+    var phi_2463_: u32;
+    var phi_2464_: u32;
+    var phi_2474_: bool;
+    var phi_2480_: u32;
+    var phi_2905_: bool;
+    var phi_2482_: SlimbvhTypeK;
+    var phi_2483_: u32;
+    var phi_2484_: bool;
+    var phi_2485_: u32;
+    var phi_2486_: u32;
+    var phi_2904_: bool;
+    var phi_2487_: SlimbvhTypeK;
+    var phi_2488_: u32;
+    var phi_2489_: bool;
+    var phi_2490_: u32;
+    var phi_2491_: u32;
+    var phi_2903_: bool;
+    var phi_840_: SlimbvhTypeK;
+    var phi_843_: u32;
+    var phi_845_: bool;
+    var phi_847_: u32;
+    var phi_849_: u32;
+    var phi_2492_: bool;
+    var phi_2902_: bool;
+    var local_2: SlimbvhTypeK;
+    var phi_2530_: f32;
+    var phi_2532_: f32;
+    var phi_2533_: bool;
     var phi_2534_: f32;
-    var phi_2536_: f32;
-    var phi_2537_: bool;
-    var phi_2538_: f32;
-    var phi_2539_: bool;
-    var phi_2690_: u32;
-    var phi_2708_: bool;
-    var phi_2711_: bool;
-    var phi_2724_: f32;
-    var phi_2725_: f32;
-    var phi_2730_: f32;
-    var phi_2731_: f32;
-    var phi_2732_: bool;
-    var phi_2740_: f32;
-    var phi_2554_: f32;
-    var phi_2555_: f32;
-    var phi_2567_: f32;
-    var phi_2572_: SlimbvhTypeE;
-    var local_5: SlimbvhTypeK;
+    var phi_2535_: bool;
+    var phi_2686_: u32;
+    var phi_2704_: bool;
+    var phi_2707_: bool;
+    var phi_2720_: f32;
+    var phi_2721_: f32;
+    var phi_2726_: f32;
+    var phi_2727_: f32;
+    var phi_2728_: bool;
+    var phi_2736_: f32;
+    var phi_2550_: f32;
+    var phi_2551_: f32;
+    var phi_2563_: f32;
+    var phi_2568_: SlimbvhTypeE;
+    var local_3: SlimbvhTypeK;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -458,851 +457,857 @@ fn slimbvh_trace() {
             let _e497 = phi_829_;
             local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
             local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-            phi_2751_ = false;
-            phi_840_ = _e497;
-            phi_843_ = (_e489 <= _e497.member.member_1);
-            phi_845_ = ((3u * _e74) + 1u);
-            phi_847_ = 0u;
-            phi_849_ = select(0u, 2147483648u, (_e74 == 0u));
+            phi_2747_ = false;
+            phi_839_ = _e497;
+            phi_842_ = ((3u * _e74) + 1u);
+            phi_844_ = (_e489 <= _e487);
+            phi_846_ = 0u;
+            phi_848_ = select(0u, 2147483648u, (_e74 == 0u));
             loop {
-                let _e506 = phi_2751_;
-                let _e508 = phi_840_;
-                let _e510 = phi_843_;
-                let _e512 = phi_845_;
-                let _e514 = phi_847_;
-                let _e516 = phi_849_;
-                local_4 = _e508;
+                let _e504 = phi_2747_;
+                let _e506 = phi_839_;
+                let _e508 = phi_842_;
+                let _e510 = phi_844_;
+                let _e512 = phi_846_;
+                let _e514 = phi_848_;
+                local_2 = _e506;
                 if _e510 {
-                    phi_860_ = true;
+                    phi_859_ = true;
                 } else {
-                    phi_860_ = (_e514 > 0u);
+                    phi_859_ = (_e512 > 0u);
                 }
-                let _e519 = phi_860_;
-                if _e519 {
-                    let _e520 = (_e512 > 0u);
-                    if _e520 {
+                let _e517 = phi_859_;
+                if _e517 {
+                    let _e518 = (_e508 > 0u);
+                    if _e518 {
                         if _e510 {
-                            phi_892_ = _e510;
+                            phi_891_ = _e510;
+                            phi_892_ = _e512;
                             phi_893_ = _e514;
-                            phi_894_ = _e516;
                         } else {
-                            let _e521 = (_e514 - 1u);
-                            let _e522 = (_e521 % 128u);
-                            let _e523 = (_e522 < 128u);
-                            if _e523 {
+                            let _e519 = (_e512 - 1u);
+                            let _e520 = (_e519 % 128u);
+                            let _e521 = (_e520 < 128u);
+                            if _e521 {
                             } else {
-                                phi_2906_ = true;
+                                phi_2902_ = true;
                                 break;
                             }
-                            let _e525 = local_1[_e522];
-                            if _e523 {
+                            let _e523 = local_1[_e520];
+                            if _e521 {
                             } else {
-                                phi_2906_ = true;
+                                phi_2902_ = true;
                                 break;
                             }
-                            let _e527 = local[_e522];
-                            phi_892_ = (_e527 <= _e508.member.member_1);
-                            phi_893_ = _e521;
-                            phi_894_ = _e525;
+                            let _e525 = local[_e520];
+                            phi_891_ = (_e525 <= _e506.member.member_1);
+                            phi_892_ = _e519;
+                            phi_893_ = _e523;
                         }
+                        let _e530 = phi_891_;
                         let _e532 = phi_892_;
                         let _e534 = phi_893_;
-                        let _e536 = phi_894_;
-                        if _e532 {
-                            if ((_e536 & 2147483648u) != 0u) {
-                                phi_909_ = _e508;
-                                phi_912_ = SlimbvhTypeA(0u, ((_e536 >> bitcast<u32>(28u)) & 7u));
+                        if _e530 {
+                            let _e537 = ((_e534 & 2147483648u) != 0u);
+                            if _e537 {
+                                phi_908_ = _e506;
+                                phi_911_ = SlimbvhTypeA(0u, ((_e534 >> bitcast<u32>(28u)) & 7u));
                                 loop {
-                                    let _e735 = phi_909_;
-                                    let _e737 = phi_912_;
-                                    local_2 = _e735;
-                                    local_3 = _e735;
-                                    local_5 = _e735;
-                                    if (_e737.member < _e737.member_1) {
-                                        phi_913_ = SlimbvhTypeA((_e737.member + 1u), _e737.member_1);
-                                        phi_935_ = SlimbvhTypeA(1u, _e737.member);
+                                    let _e544 = phi_908_;
+                                    let _e546 = phi_911_;
+                                    local_3 = _e544;
+                                    if (_e546.member < _e546.member_1) {
+                                        phi_912_ = SlimbvhTypeA((_e546.member + 1u), _e546.member_1);
+                                        phi_934_ = SlimbvhTypeA(1u, _e546.member);
                                     } else {
-                                        phi_913_ = _e737;
-                                        phi_935_ = SlimbvhTypeA(0u, SlimbvhTypeA().member_1);
+                                        phi_912_ = _e546;
+                                        phi_934_ = SlimbvhTypeA(0u, SlimbvhTypeA().member_1);
                                     }
-                                    let _e750 = phi_913_;
-                                    let _e752 = phi_935_;
-                                    let _e756 = (bitcast<i32>(_e752.member) != 0i);
-                                    if _e756 {
-                                        let _e757 = ((_e536 & 268435455u) + _e752.member_1);
-                                        let _e758 = (_e757 < _e76);
-                                        if _e758 {
-                                            if _e758 {
+                                    let _e559 = phi_912_;
+                                    let _e561 = phi_934_;
+                                    let _e565 = (bitcast<i32>(_e561.member) != 0i);
+                                    if _e565 {
+                                        let _e566 = ((_e534 & 268435455u) + _e561.member_1);
+                                        let _e567 = (_e566 < _e76);
+                                        if _e567 {
+                                            if _e567 {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e762 = slimbvh_triangles.member[_e757].member_1;
-                                            phi_956_ = _e762;
+                                            let _e571 = slimbvh_triangles.member[_e566].member_1;
+                                            phi_955_ = _e571;
                                         } else {
-                                            phi_956_ = 4294967295u;
+                                            phi_955_ = 4294967295u;
                                         }
-                                        let _e764 = phi_956_;
-                                        if (_e757 >= _e76) {
-                                            phi_1048_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                        let _e573 = phi_955_;
+                                        if (_e566 >= _e76) {
+                                            phi_1047_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                         } else {
-                                            if _e758 {
+                                            if _e567 {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e766 = (_e169 % 3u);
-                                            let _e767 = (_e168 % 3u);
-                                            let _e768 = (_e170 % 3u);
-                                            if (_e766 < 9u) {
+                                            let _e575 = (_e169 % 3u);
+                                            let _e576 = (_e168 % 3u);
+                                            let _e577 = (_e170 % 3u);
+                                            if (_e575 < 9u) {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e774 = slimbvh_triangles.member[_e757].member[_e766];
-                                            if (_e767 < 9u) {
+                                            let _e583 = slimbvh_triangles.member[_e566].member[_e575];
+                                            if (_e576 < 9u) {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e780 = slimbvh_triangles.member[_e757].member[_e767];
-                                            if (_e768 < 9u) {
+                                            let _e589 = slimbvh_triangles.member[_e566].member[_e576];
+                                            if (_e577 < 9u) {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e786 = slimbvh_triangles.member[_e757].member[_e768];
-                                            let _e788 = (3u + _e766);
-                                            if (_e788 < 9u) {
+                                            let _e595 = slimbvh_triangles.member[_e566].member[_e577];
+                                            let _e597 = (3u + _e575);
+                                            if (_e597 < 9u) {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e794 = slimbvh_triangles.member[_e757].member[_e788];
-                                            let _e795 = (3u + _e767);
-                                            if (_e795 < 9u) {
+                                            let _e603 = slimbvh_triangles.member[_e566].member[_e597];
+                                            let _e604 = (3u + _e576);
+                                            if (_e604 < 9u) {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e801 = slimbvh_triangles.member[_e757].member[_e795];
-                                            let _e802 = (3u + _e768);
-                                            if (_e802 < 9u) {
+                                            let _e610 = slimbvh_triangles.member[_e566].member[_e604];
+                                            let _e611 = (3u + _e577);
+                                            if (_e611 < 9u) {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e808 = slimbvh_triangles.member[_e757].member[_e802];
-                                            let _e810 = (6u + _e766);
-                                            if (_e810 < 9u) {
+                                            let _e617 = slimbvh_triangles.member[_e566].member[_e611];
+                                            let _e619 = (6u + _e575);
+                                            if (_e619 < 9u) {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e816 = slimbvh_triangles.member[_e757].member[_e810];
-                                            let _e817 = (6u + _e767);
-                                            if (_e817 < 9u) {
+                                            let _e625 = slimbvh_triangles.member[_e566].member[_e619];
+                                            let _e626 = (6u + _e576);
+                                            if (_e626 < 9u) {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e823 = slimbvh_triangles.member[_e757].member[_e817];
-                                            let _e824 = (6u + _e768);
-                                            if (_e824 < 9u) {
+                                            let _e632 = slimbvh_triangles.member[_e566].member[_e626];
+                                            let _e633 = (6u + _e577);
+                                            if (_e633 < 9u) {
                                             } else {
-                                                phi_2745_ = true;
+                                                phi_2741_ = true;
                                                 break;
                                             }
-                                            let _e830 = slimbvh_triangles.member[_e757].member[_e824];
-                                            phi_1048_ = array<array<f32, 3>, 3>(array<f32, 3>(_e774, _e780, _e786), array<f32, 3>(_e794, _e801, _e808), array<f32, 3>(_e816, _e823, _e830));
+                                            let _e639 = slimbvh_triangles.member[_e566].member[_e633];
+                                            phi_1047_ = array<array<f32, 3>, 3>(array<f32, 3>(_e583, _e589, _e595), array<f32, 3>(_e603, _e610, _e617), array<f32, 3>(_e625, _e632, _e639));
                                         }
-                                        let _e834 = phi_1048_;
-                                        let _e843 = (_e834[0][2] - _e340);
-                                        let _e846 = (((_e834[0][0] - _e224) * _e374) - (_e843 * _e258));
-                                        let _e849 = (((_e834[0][1] - _e282) * _e374) - (_e843 * _e316));
-                                        let _e856 = (_e834[1][2] - _e340);
-                                        let _e859 = (((_e834[1][0] - _e224) * _e374) - (_e856 * _e258));
-                                        let _e862 = (((_e834[1][1] - _e282) * _e374) - (_e856 * _e316));
-                                        let _e869 = (_e834[2][2] - _e340);
-                                        let _e872 = (((_e834[2][0] - _e224) * _e374) - (_e869 * _e258));
-                                        let _e875 = (((_e834[2][1] - _e282) * _e374) - (_e869 * _e316));
-                                        let _e876 = (_e872 * _e862);
-                                        let _e877 = (_e875 * _e859);
-                                        let _e878 = (_e846 * _e875);
-                                        let _e879 = (_e849 * _e872);
-                                        let _e880 = (_e859 * _e849);
-                                        let _e881 = (_e862 * _e846);
-                                        let _e886 = (((_e876 >= _e877) && (_e878 >= _e879)) && (_e880 >= _e881));
-                                        if (_e886 || (((_e876 <= _e877) && (_e878 <= _e879)) && (_e880 <= _e881))) {
-                                            let _e893 = select(-1f, 1f, _e886);
-                                            let _e895 = ((_e876 - _e877) * _e893);
-                                            let _e897 = select(0f, _e895, (_e895 > 0f));
-                                            let _e899 = ((_e878 - _e879) * _e893);
-                                            let _e901 = select(0f, _e899, (_e899 > 0f));
-                                            let _e903 = ((_e880 - _e881) * _e893);
-                                            let _e905 = select(0f, _e903, (_e903 > 0f));
-                                            let _e907 = ((_e897 + _e901) + _e905);
-                                            if (_e907 < 0.000000000000000000000000000000000000011754944f) {
-                                                phi_1932_ = SlimbvhTypeE();
-                                                phi_1933_ = true;
-                                                phi_1934_ = false;
+                                        let _e643 = phi_1047_;
+                                        let _e652 = (_e643[0][2] - _e340);
+                                        let _e655 = (((_e643[0][0] - _e224) * _e374) - (_e652 * _e258));
+                                        let _e658 = (((_e643[0][1] - _e282) * _e374) - (_e652 * _e316));
+                                        let _e665 = (_e643[1][2] - _e340);
+                                        let _e668 = (((_e643[1][0] - _e224) * _e374) - (_e665 * _e258));
+                                        let _e671 = (((_e643[1][1] - _e282) * _e374) - (_e665 * _e316));
+                                        let _e678 = (_e643[2][2] - _e340);
+                                        let _e681 = (((_e643[2][0] - _e224) * _e374) - (_e678 * _e258));
+                                        let _e684 = (((_e643[2][1] - _e282) * _e374) - (_e678 * _e316));
+                                        let _e685 = (_e681 * _e671);
+                                        let _e686 = (_e684 * _e668);
+                                        let _e687 = (_e655 * _e684);
+                                        let _e688 = (_e658 * _e681);
+                                        let _e689 = (_e668 * _e658);
+                                        let _e690 = (_e671 * _e655);
+                                        let _e695 = (((_e685 >= _e686) && (_e687 >= _e688)) && (_e689 >= _e690));
+                                        if (_e695 || (((_e685 <= _e686) && (_e687 <= _e688)) && (_e689 <= _e690))) {
+                                            let _e702 = select(-1f, 1f, _e695);
+                                            let _e704 = ((_e685 - _e686) * _e702);
+                                            let _e706 = select(0f, _e704, (_e704 > 0f));
+                                            let _e708 = ((_e687 - _e688) * _e702);
+                                            let _e710 = select(0f, _e708, (_e708 > 0f));
+                                            let _e712 = ((_e689 - _e690) * _e702);
+                                            let _e714 = select(0f, _e712, (_e712 > 0f));
+                                            let _e716 = ((_e706 + _e710) + _e714);
+                                            if (_e716 < 0.000000000000000000000000000000000000011754944f) {
+                                                phi_1931_ = SlimbvhTypeE();
+                                                phi_1932_ = true;
+                                                phi_1933_ = false;
                                             } else {
-                                                let _e910 = select(_e859, _e846, (_e846 < _e859));
-                                                if (select(_e872, _e910, (_e910 < _e872)) > 0f) {
-                                                    phi_1200_ = true;
+                                                let _e719 = select(_e668, _e655, (_e655 < _e668));
+                                                if (select(_e681, _e719, (_e719 < _e681)) > 0f) {
+                                                    phi_1199_ = true;
                                                 } else {
-                                                    let _e915 = select(_e859, _e846, (_e846 > _e859));
-                                                    phi_1200_ = (select(_e872, _e915, (_e915 > _e872)) < 0f);
+                                                    let _e724 = select(_e668, _e655, (_e655 > _e668));
+                                                    phi_1199_ = (select(_e681, _e724, (_e724 > _e681)) < 0f);
                                                 }
-                                                let _e920 = phi_1200_;
-                                                if _e920 {
-                                                    phi_1929_ = SlimbvhTypeE();
-                                                    phi_1930_ = true;
-                                                    phi_1931_ = false;
+                                                let _e729 = phi_1199_;
+                                                if _e729 {
+                                                    phi_1928_ = SlimbvhTypeE();
+                                                    phi_1929_ = true;
+                                                    phi_1930_ = false;
                                                 } else {
-                                                    let _e922 = select(_e862, _e849, (_e849 < _e862));
-                                                    if (select(_e875, _e922, (_e922 < _e875)) > 0f) {
-                                                        phi_1229_ = true;
+                                                    let _e731 = select(_e671, _e658, (_e658 < _e671));
+                                                    if (select(_e684, _e731, (_e731 < _e684)) > 0f) {
+                                                        phi_1228_ = true;
                                                     } else {
-                                                        let _e927 = select(_e862, _e849, (_e849 > _e862));
-                                                        phi_1229_ = (select(_e875, _e927, (_e927 > _e875)) < 0f);
+                                                        let _e736 = select(_e671, _e658, (_e658 > _e671));
+                                                        phi_1228_ = (select(_e684, _e736, (_e736 > _e684)) < 0f);
                                                     }
-                                                    let _e932 = phi_1229_;
-                                                    if _e932 {
-                                                        phi_1927_ = SlimbvhTypeE();
-                                                        phi_1928_ = false;
+                                                    let _e741 = phi_1228_;
+                                                    if _e741 {
+                                                        phi_1926_ = SlimbvhTypeE();
+                                                        phi_1927_ = false;
                                                     } else {
-                                                        let _e934 = select(_e834[1][0], _e834[0][0], (_e834[0][0] < _e834[1][0]));
-                                                        let _e938 = select(_e834[1][0], _e834[0][0], (_e834[0][0] > _e834[1][0]));
-                                                        let _e942 = select(_e834[1][1], _e834[0][1], (_e834[0][1] < _e834[1][1]));
-                                                        let _e946 = select(_e834[1][1], _e834[0][1], (_e834[0][1] > _e834[1][1]));
-                                                        let _e950 = select(_e834[1][2], _e834[0][2], (_e834[0][2] < _e834[1][2]));
-                                                        let _e954 = select(_e834[1][2], _e834[0][2], (_e834[0][2] > _e834[1][2]));
-                                                        let _e959 = ((select(_e834[2][0], _e934, (_e934 < _e834[2][0])) - _e256) * _e261);
-                                                        let _e960 = ((select(_e834[2][0], _e938, (_e938 > _e834[2][0])) - _e257) * _e261);
-                                                        let _e963 = ((select(_e834[2][1], _e942, (_e942 < _e834[2][1])) - _e314) * _e319);
-                                                        let _e964 = ((select(_e834[2][1], _e946, (_e946 > _e834[2][1])) - _e315) * _e319);
-                                                        let _e967 = ((select(_e834[2][2], _e950, (_e950 < _e834[2][2])) - _e372) * _e377);
-                                                        let _e968 = ((select(_e834[2][2], _e954, (_e954 > _e834[2][2])) - _e373) * _e377);
-                                                        let _e970 = select(_e968, _e967, (_e967 < _e968));
-                                                        let _e972 = select(_e968, _e967, (_e967 > _e968));
-                                                        let _e974 = select(_e960, _e959, (_e959 < _e960));
-                                                        let _e976 = select(_e964, _e963, (_e963 < _e964));
-                                                        let _e978 = select(_e976, _e974, (_e974 > _e976));
-                                                        let _e980 = select(_e970, _e978, (_e978 > _e970));
-                                                        let _e982 = select(_e960, _e959, (_e959 > _e960));
-                                                        let _e984 = select(_e964, _e963, (_e963 > _e964));
-                                                        let _e986 = select(_e984, _e982, (_e982 < _e984));
-                                                        let _e988 = select(_e972, _e986, (_e986 < _e972));
-                                                        let _e989 = -(_e970);
-                                                        let _e995 = select(_e489, _e980, (_e980 > _e489));
-                                                        if (_e995 > (_e988 + (select(_e989, _e972, (_e972 > _e989)) * 0.0000019073523f))) {
-                                                            phi_1922_ = SlimbvhTypeE();
-                                                            phi_1923_ = true;
+                                                        let _e743 = select(_e643[1][0], _e643[0][0], (_e643[0][0] < _e643[1][0]));
+                                                        let _e747 = select(_e643[1][0], _e643[0][0], (_e643[0][0] > _e643[1][0]));
+                                                        let _e751 = select(_e643[1][1], _e643[0][1], (_e643[0][1] < _e643[1][1]));
+                                                        let _e755 = select(_e643[1][1], _e643[0][1], (_e643[0][1] > _e643[1][1]));
+                                                        let _e759 = select(_e643[1][2], _e643[0][2], (_e643[0][2] < _e643[1][2]));
+                                                        let _e763 = select(_e643[1][2], _e643[0][2], (_e643[0][2] > _e643[1][2]));
+                                                        let _e768 = ((select(_e643[2][0], _e743, (_e743 < _e643[2][0])) - _e256) * _e261);
+                                                        let _e769 = ((select(_e643[2][0], _e747, (_e747 > _e643[2][0])) - _e257) * _e261);
+                                                        let _e772 = ((select(_e643[2][1], _e751, (_e751 < _e643[2][1])) - _e314) * _e319);
+                                                        let _e773 = ((select(_e643[2][1], _e755, (_e755 > _e643[2][1])) - _e315) * _e319);
+                                                        let _e776 = ((select(_e643[2][2], _e759, (_e759 < _e643[2][2])) - _e372) * _e377);
+                                                        let _e777 = ((select(_e643[2][2], _e763, (_e763 > _e643[2][2])) - _e373) * _e377);
+                                                        let _e779 = select(_e777, _e776, (_e776 < _e777));
+                                                        let _e781 = select(_e777, _e776, (_e776 > _e777));
+                                                        let _e783 = select(_e769, _e768, (_e768 < _e769));
+                                                        let _e785 = select(_e773, _e772, (_e772 < _e773));
+                                                        let _e787 = select(_e785, _e783, (_e783 > _e785));
+                                                        let _e789 = select(_e779, _e787, (_e787 > _e779));
+                                                        let _e791 = select(_e769, _e768, (_e768 > _e769));
+                                                        let _e793 = select(_e773, _e772, (_e772 > _e773));
+                                                        let _e795 = select(_e793, _e791, (_e791 < _e793));
+                                                        let _e797 = select(_e781, _e795, (_e795 < _e781));
+                                                        let _e798 = -(_e779);
+                                                        let _e804 = select(_e489, _e789, (_e789 > _e489));
+                                                        if (_e804 > (_e797 + (select(_e798, _e781, (_e781 > _e798)) * 0.0000019073523f))) {
+                                                            phi_1921_ = SlimbvhTypeE();
+                                                            phi_1922_ = true;
                                                         } else {
-                                                            let _e997 = (_e995 > _e735.member.member_1);
-                                                            if _e997 {
-                                                                phi_1921_ = SlimbvhTypeE();
+                                                            let _e806 = (_e804 > _e544.member.member_1);
+                                                            if _e806 {
+                                                                phi_1920_ = SlimbvhTypeE();
                                                             } else {
-                                                                let _e998 = vec3<f32>(_e834[0][0], _e834[0][1], _e834[0][2]);
-                                                                let _e999 = vec3<f32>(_e834[1][0], _e834[1][1], _e834[1][2]);
-                                                                let _e1000 = vec3<f32>(_e834[2][0], _e834[2][1], _e834[2][2]);
-                                                                let _e1001 = (_e834[1][0] - _e834[0][0]);
-                                                                let _e1002 = (_e834[1][1] - _e834[0][1]);
-                                                                let _e1003 = (_e834[1][2] - _e834[0][2]);
-                                                                let _e1004 = vec3<f32>(_e1001, _e1002, _e1003);
-                                                                let _e1005 = (_e834[2][0] - _e834[1][0]);
-                                                                let _e1006 = (_e834[2][1] - _e834[1][1]);
-                                                                let _e1007 = (_e834[2][2] - _e834[1][2]);
-                                                                let _e1008 = vec3<f32>(_e1005, _e1006, _e1007);
-                                                                let _e1009 = (_e834[0][0] - _e834[2][0]);
-                                                                let _e1010 = (_e834[0][1] - _e834[2][1]);
-                                                                let _e1011 = (_e834[0][2] - _e834[2][2]);
-                                                                let _e1012 = vec3<f32>(_e1009, _e1010, _e1011);
-                                                                let _e1015 = bitcast<f32>((bitcast<u32>(_e1001) & 2147483647u));
-                                                                let _e1018 = bitcast<f32>((bitcast<u32>(_e1002) & 2147483647u));
-                                                                let _e1020 = select(_e1018, _e1015, (_e1015 > _e1018));
-                                                                let _e1023 = bitcast<f32>((bitcast<u32>(_e1003) & 2147483647u));
-                                                                let _e1025 = select(_e1023, _e1020, (_e1020 > _e1023));
-                                                                let _e1028 = bitcast<f32>((bitcast<u32>(_e1005) & 2147483647u));
-                                                                let _e1031 = bitcast<f32>((bitcast<u32>(_e1006) & 2147483647u));
-                                                                let _e1033 = select(_e1031, _e1028, (_e1028 > _e1031));
-                                                                let _e1036 = bitcast<f32>((bitcast<u32>(_e1007) & 2147483647u));
-                                                                let _e1038 = select(_e1036, _e1033, (_e1033 > _e1036));
-                                                                let _e1041 = bitcast<f32>((bitcast<u32>(_e1009) & 2147483647u));
-                                                                let _e1044 = bitcast<f32>((bitcast<u32>(_e1010) & 2147483647u));
-                                                                let _e1046 = select(_e1044, _e1041, (_e1041 > _e1044));
-                                                                let _e1049 = bitcast<f32>((bitcast<u32>(_e1011) & 2147483647u));
-                                                                let _e1051 = select(_e1049, _e1046, (_e1046 > _e1049));
-                                                                let _e1053 = select(_e1038, _e1025, (_e1025 > _e1038));
-                                                                let _e1055 = select(_e1051, _e1053, (_e1053 > _e1051));
-                                                                if (_e1025 == _e1055) {
-                                                                    phi_1648_ = _e862;
-                                                                    phi_1649_ = _e859;
-                                                                    phi_1650_ = _e849;
-                                                                    phi_1651_ = _e846;
-                                                                    phi_1652_ = _e998;
-                                                                    phi_1653_ = _e1012;
-                                                                    phi_1654_ = _e1008;
-                                                                    phi_1655_ = _e1004;
+                                                                let _e807 = vec3<f32>(_e643[0][0], _e643[0][1], _e643[0][2]);
+                                                                let _e808 = vec3<f32>(_e643[1][0], _e643[1][1], _e643[1][2]);
+                                                                let _e809 = vec3<f32>(_e643[2][0], _e643[2][1], _e643[2][2]);
+                                                                let _e810 = (_e643[1][0] - _e643[0][0]);
+                                                                let _e811 = (_e643[1][1] - _e643[0][1]);
+                                                                let _e812 = (_e643[1][2] - _e643[0][2]);
+                                                                let _e813 = vec3<f32>(_e810, _e811, _e812);
+                                                                let _e814 = (_e643[2][0] - _e643[1][0]);
+                                                                let _e815 = (_e643[2][1] - _e643[1][1]);
+                                                                let _e816 = (_e643[2][2] - _e643[1][2]);
+                                                                let _e817 = vec3<f32>(_e814, _e815, _e816);
+                                                                let _e818 = (_e643[0][0] - _e643[2][0]);
+                                                                let _e819 = (_e643[0][1] - _e643[2][1]);
+                                                                let _e820 = (_e643[0][2] - _e643[2][2]);
+                                                                let _e821 = vec3<f32>(_e818, _e819, _e820);
+                                                                let _e824 = bitcast<f32>((bitcast<u32>(_e810) & 2147483647u));
+                                                                let _e827 = bitcast<f32>((bitcast<u32>(_e811) & 2147483647u));
+                                                                let _e829 = select(_e827, _e824, (_e824 > _e827));
+                                                                let _e832 = bitcast<f32>((bitcast<u32>(_e812) & 2147483647u));
+                                                                let _e834 = select(_e832, _e829, (_e829 > _e832));
+                                                                let _e837 = bitcast<f32>((bitcast<u32>(_e814) & 2147483647u));
+                                                                let _e840 = bitcast<f32>((bitcast<u32>(_e815) & 2147483647u));
+                                                                let _e842 = select(_e840, _e837, (_e837 > _e840));
+                                                                let _e845 = bitcast<f32>((bitcast<u32>(_e816) & 2147483647u));
+                                                                let _e847 = select(_e845, _e842, (_e842 > _e845));
+                                                                let _e850 = bitcast<f32>((bitcast<u32>(_e818) & 2147483647u));
+                                                                let _e853 = bitcast<f32>((bitcast<u32>(_e819) & 2147483647u));
+                                                                let _e855 = select(_e853, _e850, (_e850 > _e853));
+                                                                let _e858 = bitcast<f32>((bitcast<u32>(_e820) & 2147483647u));
+                                                                let _e860 = select(_e858, _e855, (_e855 > _e858));
+                                                                let _e862 = select(_e847, _e834, (_e834 > _e847));
+                                                                let _e864 = select(_e860, _e862, (_e862 > _e860));
+                                                                if (_e834 == _e864) {
+                                                                    phi_1647_ = _e671;
+                                                                    phi_1648_ = _e668;
+                                                                    phi_1649_ = _e658;
+                                                                    phi_1650_ = _e655;
+                                                                    phi_1651_ = _e807;
+                                                                    phi_1652_ = _e821;
+                                                                    phi_1653_ = _e817;
+                                                                    phi_1654_ = _e813;
                                                                 } else {
-                                                                    let _e1057 = (_e1038 == _e1055);
-                                                                    let _e1062 = vec3(_e1057);
-                                                                    phi_1648_ = select(_e849, _e875, _e1057);
-                                                                    phi_1649_ = select(_e846, _e872, _e1057);
-                                                                    phi_1650_ = select(_e875, _e862, _e1057);
-                                                                    phi_1651_ = select(_e872, _e859, _e1057);
-                                                                    phi_1652_ = select(_e1000, _e999, _e1062);
-                                                                    phi_1653_ = select(_e1008, _e1004, _e1062);
-                                                                    phi_1654_ = select(_e1004, _e1012, _e1062);
-                                                                    phi_1655_ = select(_e1012, _e1008, _e1062);
+                                                                    let _e866 = (_e847 == _e864);
+                                                                    let _e871 = vec3(_e866);
+                                                                    phi_1647_ = select(_e658, _e684, _e866);
+                                                                    phi_1648_ = select(_e655, _e681, _e866);
+                                                                    phi_1649_ = select(_e684, _e671, _e866);
+                                                                    phi_1650_ = select(_e681, _e668, _e866);
+                                                                    phi_1651_ = select(_e809, _e808, _e871);
+                                                                    phi_1652_ = select(_e817, _e813, _e871);
+                                                                    phi_1653_ = select(_e813, _e821, _e871);
+                                                                    phi_1654_ = select(_e821, _e817, _e871);
                                                                 }
-                                                                let _e1068 = phi_1648_;
-                                                                let _e1070 = phi_1649_;
-                                                                let _e1072 = phi_1650_;
-                                                                let _e1074 = phi_1651_;
-                                                                let _e1076 = phi_1652_;
-                                                                let _e1078 = phi_1653_;
-                                                                let _e1080 = phi_1654_;
-                                                                let _e1082 = phi_1655_;
-                                                                let _e1089 = ((_e1080.y * _e1078.z) - (_e1078.y * _e1080.z));
-                                                                let _e1094 = ((_e1080.z * _e1078.x) - (_e1078.z * _e1080.x));
-                                                                let _e1097 = ((_e1080.x * _e1078.y) - (_e1078.x * _e1080.y));
-                                                                if (_e897 >= _e901) {
-                                                                    phi_1692_ = select(true, false, (_e897 >= _e905));
+                                                                let _e877 = phi_1647_;
+                                                                let _e879 = phi_1648_;
+                                                                let _e881 = phi_1649_;
+                                                                let _e883 = phi_1650_;
+                                                                let _e885 = phi_1651_;
+                                                                let _e887 = phi_1652_;
+                                                                let _e889 = phi_1653_;
+                                                                let _e891 = phi_1654_;
+                                                                let _e898 = ((_e889.y * _e887.z) - (_e887.y * _e889.z));
+                                                                let _e903 = ((_e889.z * _e887.x) - (_e887.z * _e889.x));
+                                                                let _e906 = ((_e889.x * _e887.y) - (_e887.x * _e889.y));
+                                                                if (_e706 >= _e710) {
+                                                                    phi_1691_ = select(true, false, (_e706 >= _e714));
                                                                 } else {
-                                                                    phi_1692_ = true;
+                                                                    phi_1691_ = true;
                                                                 }
-                                                                let _e1102 = phi_1692_;
-                                                                if _e1102 {
-                                                                    phi_1701_ = select(_e1000, _e999, vec3((_e901 >= _e905)));
+                                                                let _e911 = phi_1691_;
+                                                                if _e911 {
+                                                                    phi_1700_ = select(_e809, _e808, vec3((_e710 >= _e714)));
                                                                 } else {
-                                                                    phi_1701_ = _e998;
+                                                                    phi_1700_ = _e807;
                                                                 }
-                                                                let _e1107 = phi_1701_;
-                                                                let _e1118 = (((_e1089 * (_e1107.x - _e224)) + (_e1094 * (_e1107.y - _e282))) + (_e1097 * (_e1107.z - _e340)));
-                                                                let _e1123 = (((_e1089 * _e258) + (_e1094 * _e316)) + (_e1097 * _e374));
-                                                                let _e1124 = (_e1070 - _e1074);
-                                                                let _e1125 = (_e1068 - _e1072);
-                                                                let _e1133 = (-(((_e1074 * _e1124) + (_e1072 * _e1125))) / ((_e1124 * _e1124) + (_e1125 * _e1125)));
-                                                                let _e1135 = select(1f, _e1133, (_e1133 < 1f));
-                                                                let _e1137 = select(0f, _e1135, (_e1135 > 0f));
-                                                                let _e1150 = ((_e1076.x + (_e1082.x * _e1137)) - _e224);
-                                                                let _e1151 = ((_e1076.y + (_e1082.y * _e1137)) - _e282);
-                                                                let _e1152 = ((_e1076.z + (_e1082.z * _e1137)) - _e340);
-                                                                let _e1153 = (_e1152 / _e374);
-                                                                let _e1165 = bitcast<f32>((bitcast<u32>(_e1150) & 2147483647u));
-                                                                let _e1168 = bitcast<f32>((bitcast<u32>(_e1151) & 2147483647u));
-                                                                let _e1170 = select(_e1168, _e1165, (_e1165 > _e1168));
-                                                                let _e1173 = bitcast<f32>((bitcast<u32>(_e1152) & 2147483647u));
-                                                                let _e1175 = select(_e1173, _e1170, (_e1170 > _e1173));
-                                                                let _e1181 = bitcast<f32>((bitcast<u32>(_e1089) & 2147483647u));
-                                                                let _e1184 = bitcast<f32>((bitcast<u32>(_e1094) & 2147483647u));
-                                                                let _e1186 = select(_e1184, _e1181, (_e1181 > _e1184));
-                                                                let _e1189 = bitcast<f32>((bitcast<u32>(_e1097) & 2147483647u));
-                                                                if (bitcast<f32>((bitcast<u32>(((((_e1089 * _e1150) + (_e1094 * _e1151)) + (_e1097 * _e1152)) - _e1118)) & 2147483647u)) <= ((0.0000009536743f * select(_e1055, _e1175, (_e1175 > _e1055))) * select(_e1189, _e1186, (_e1186 > _e1189)))) {
-                                                                    let _e1199 = bitcast<f32>((bitcast<u32>(_e1080.x) & 2147483647u));
-                                                                    let _e1202 = bitcast<f32>((bitcast<u32>(_e1080.y) & 2147483647u));
-                                                                    let _e1204 = select(_e1202, _e1199, (_e1199 > _e1202));
-                                                                    let _e1207 = bitcast<f32>((bitcast<u32>(_e1080.z) & 2147483647u));
-                                                                    let _e1213 = bitcast<f32>((bitcast<u32>(_e1078.x) & 2147483647u));
-                                                                    let _e1216 = bitcast<f32>((bitcast<u32>(_e1078.y) & 2147483647u));
-                                                                    let _e1218 = select(_e1216, _e1213, (_e1213 > _e1216));
-                                                                    let _e1221 = bitcast<f32>((bitcast<u32>(_e1078.z) & 2147483647u));
-                                                                    let _e1225 = (bitcast<f32>((bitcast<u32>(_e1123) & 2147483647u)) > ((0.0000038146973f * select(_e1207, _e1204, (_e1204 > _e1207))) * select(_e1221, _e1218, (_e1218 > _e1221))));
-                                                                    if _e1225 {
-                                                                        phi_1866_ = (_e1118 / _e1123);
+                                                                let _e916 = phi_1700_;
+                                                                let _e927 = (((_e898 * (_e916.x - _e224)) + (_e903 * (_e916.y - _e282))) + (_e906 * (_e916.z - _e340)));
+                                                                let _e932 = (((_e898 * _e258) + (_e903 * _e316)) + (_e906 * _e374));
+                                                                let _e933 = (_e879 - _e883);
+                                                                let _e934 = (_e877 - _e881);
+                                                                let _e942 = (-(((_e883 * _e933) + (_e881 * _e934))) / ((_e933 * _e933) + (_e934 * _e934)));
+                                                                let _e944 = select(1f, _e942, (_e942 < 1f));
+                                                                let _e946 = select(0f, _e944, (_e944 > 0f));
+                                                                let _e959 = ((_e885.x + (_e891.x * _e946)) - _e224);
+                                                                let _e960 = ((_e885.y + (_e891.y * _e946)) - _e282);
+                                                                let _e961 = ((_e885.z + (_e891.z * _e946)) - _e340);
+                                                                let _e962 = (_e961 / _e374);
+                                                                let _e974 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
+                                                                let _e977 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
+                                                                let _e979 = select(_e977, _e974, (_e974 > _e977));
+                                                                let _e982 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
+                                                                let _e984 = select(_e982, _e979, (_e979 > _e982));
+                                                                let _e990 = bitcast<f32>((bitcast<u32>(_e898) & 2147483647u));
+                                                                let _e993 = bitcast<f32>((bitcast<u32>(_e903) & 2147483647u));
+                                                                let _e995 = select(_e993, _e990, (_e990 > _e993));
+                                                                let _e998 = bitcast<f32>((bitcast<u32>(_e906) & 2147483647u));
+                                                                if (bitcast<f32>((bitcast<u32>(((((_e898 * _e959) + (_e903 * _e960)) + (_e906 * _e961)) - _e927)) & 2147483647u)) <= ((0.0000009536743f * select(_e864, _e984, (_e984 > _e864))) * select(_e998, _e995, (_e995 > _e998)))) {
+                                                                    let _e1008 = bitcast<f32>((bitcast<u32>(_e889.x) & 2147483647u));
+                                                                    let _e1011 = bitcast<f32>((bitcast<u32>(_e889.y) & 2147483647u));
+                                                                    let _e1013 = select(_e1011, _e1008, (_e1008 > _e1011));
+                                                                    let _e1016 = bitcast<f32>((bitcast<u32>(_e889.z) & 2147483647u));
+                                                                    let _e1022 = bitcast<f32>((bitcast<u32>(_e887.x) & 2147483647u));
+                                                                    let _e1025 = bitcast<f32>((bitcast<u32>(_e887.y) & 2147483647u));
+                                                                    let _e1027 = select(_e1025, _e1022, (_e1022 > _e1025));
+                                                                    let _e1030 = bitcast<f32>((bitcast<u32>(_e887.z) & 2147483647u));
+                                                                    let _e1034 = (bitcast<f32>((bitcast<u32>(_e932) & 2147483647u)) > ((0.0000038146973f * select(_e1016, _e1013, (_e1013 > _e1016))) * select(_e1030, _e1027, (_e1027 > _e1030))));
+                                                                    if _e1034 {
+                                                                        phi_1865_ = (_e927 / _e932);
                                                                     } else {
-                                                                        phi_1866_ = f32();
+                                                                        phi_1865_ = f32();
                                                                     }
-                                                                    let _e1228 = phi_1866_;
-                                                                    phi_1868_ = _e1228;
-                                                                    phi_1869_ = select(true, false, _e1225);
+                                                                    let _e1037 = phi_1865_;
+                                                                    phi_1867_ = _e1037;
+                                                                    phi_1868_ = select(true, false, _e1034);
                                                                 } else {
-                                                                    phi_1868_ = f32();
-                                                                    phi_1869_ = true;
+                                                                    phi_1867_ = f32();
+                                                                    phi_1868_ = true;
                                                                 }
-                                                                let _e1231 = phi_1868_;
-                                                                let _e1233 = phi_1869_;
-                                                                if _e1233 {
-                                                                    let _e1241 = (((_e1089 * (_e1150 - (_e258 * _e1153))) + (_e1094 * (_e1151 - (_e316 * _e1153)))) / _e1123);
-                                                                    if (bitcast<f32>((bitcast<u32>(_e1241) & 2147483647u)) <= _e1055) {
-                                                                        phi_1889_ = (_e1153 + _e1241);
+                                                                let _e1040 = phi_1867_;
+                                                                let _e1042 = phi_1868_;
+                                                                if _e1042 {
+                                                                    let _e1050 = (((_e898 * (_e959 - (_e258 * _e962))) + (_e903 * (_e960 - (_e316 * _e962)))) / _e932);
+                                                                    if (bitcast<f32>((bitcast<u32>(_e1050) & 2147483647u)) <= _e864) {
+                                                                        phi_1888_ = (_e962 + _e1050);
                                                                     } else {
-                                                                        phi_1889_ = _e1153;
+                                                                        phi_1888_ = _e962;
                                                                     }
-                                                                    let _e1248 = phi_1889_;
-                                                                    phi_1890_ = _e1248;
+                                                                    let _e1057 = phi_1888_;
+                                                                    phi_1889_ = _e1057;
                                                                 } else {
-                                                                    phi_1890_ = _e1231;
+                                                                    phi_1889_ = _e1040;
                                                                 }
-                                                                let _e1250 = phi_1890_;
-                                                                let _e1252 = select(_e988, _e1250, (_e1250 < _e988));
-                                                                let _e1254 = select(_e980, _e1252, (_e1252 > _e980));
-                                                                if (_e1254 >= _e489) {
-                                                                    let _e1256 = (_e1254 <= _e735.member.member_1);
-                                                                    if _e1256 {
-                                                                        let _e1257 = (1f / _e907);
-                                                                        phi_1913_ = SlimbvhTypeE(_e1254, (_e901 * _e1257), (_e905 * _e1257), _e764);
+                                                                let _e1059 = phi_1889_;
+                                                                let _e1061 = select(_e797, _e1059, (_e1059 < _e797));
+                                                                let _e1063 = select(_e789, _e1061, (_e1061 > _e789));
+                                                                if (_e1063 >= _e489) {
+                                                                    let _e1065 = (_e1063 <= _e544.member.member_1);
+                                                                    if _e1065 {
+                                                                        let _e1066 = (1f / _e716);
+                                                                        phi_1912_ = SlimbvhTypeE(_e1063, (_e710 * _e1066), (_e714 * _e1066), _e573);
                                                                     } else {
-                                                                        phi_1913_ = SlimbvhTypeE();
+                                                                        phi_1912_ = SlimbvhTypeE();
                                                                     }
-                                                                    let _e1262 = phi_1913_;
-                                                                    phi_1915_ = _e1262;
-                                                                    phi_1916_ = select(true, false, _e1256);
+                                                                    let _e1071 = phi_1912_;
+                                                                    phi_1914_ = _e1071;
+                                                                    phi_1915_ = select(true, false, _e1065);
                                                                 } else {
-                                                                    phi_1915_ = SlimbvhTypeE();
-                                                                    phi_1916_ = true;
+                                                                    phi_1914_ = SlimbvhTypeE();
+                                                                    phi_1915_ = true;
                                                                 }
-                                                                let _e1265 = phi_1915_;
-                                                                let _e1267 = phi_1916_;
-                                                                if _e1267 {
-                                                                    phi_1920_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1074 = phi_1914_;
+                                                                let _e1076 = phi_1915_;
+                                                                if _e1076 {
+                                                                    phi_1919_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1920_ = _e1265;
+                                                                    phi_1919_ = _e1074;
                                                                 }
-                                                                let _e1269 = phi_1920_;
-                                                                phi_1921_ = _e1269;
+                                                                let _e1078 = phi_1919_;
+                                                                phi_1920_ = _e1078;
                                                             }
-                                                            let _e1271 = phi_1921_;
-                                                            phi_1922_ = _e1271;
-                                                            phi_1923_ = _e997;
+                                                            let _e1080 = phi_1920_;
+                                                            phi_1921_ = _e1080;
+                                                            phi_1922_ = _e806;
                                                         }
-                                                        let _e1273 = phi_1922_;
-                                                        let _e1275 = phi_1923_;
-                                                        phi_1927_ = _e1273;
-                                                        phi_1928_ = _e1275;
+                                                        let _e1082 = phi_1921_;
+                                                        let _e1084 = phi_1922_;
+                                                        phi_1926_ = _e1082;
+                                                        phi_1927_ = _e1084;
                                                     }
-                                                    let _e1277 = phi_1927_;
-                                                    let _e1279 = phi_1928_;
-                                                    phi_1929_ = _e1277;
-                                                    phi_1930_ = _e932;
-                                                    phi_1931_ = _e1279;
+                                                    let _e1086 = phi_1926_;
+                                                    let _e1088 = phi_1927_;
+                                                    phi_1928_ = _e1086;
+                                                    phi_1929_ = _e741;
+                                                    phi_1930_ = _e1088;
                                                 }
-                                                let _e1281 = phi_1929_;
-                                                let _e1283 = phi_1930_;
-                                                let _e1285 = phi_1931_;
-                                                phi_1932_ = _e1281;
-                                                phi_1933_ = _e1283;
-                                                phi_1934_ = _e1285;
+                                                let _e1090 = phi_1928_;
+                                                let _e1092 = phi_1929_;
+                                                let _e1094 = phi_1930_;
+                                                phi_1931_ = _e1090;
+                                                phi_1932_ = _e1092;
+                                                phi_1933_ = _e1094;
                                             }
-                                            let _e1287 = phi_1932_;
-                                            let _e1289 = phi_1933_;
-                                            let _e1291 = phi_1934_;
-                                            phi_1942_ = _e1287;
-                                            phi_1943_ = select(_e1291, true, _e1289);
+                                            let _e1096 = phi_1931_;
+                                            let _e1098 = phi_1932_;
+                                            let _e1100 = phi_1933_;
+                                            phi_1941_ = _e1096;
+                                            phi_1942_ = select(_e1100, true, _e1098);
                                         } else {
-                                            phi_1942_ = SlimbvhTypeE();
-                                            phi_1943_ = true;
+                                            phi_1941_ = SlimbvhTypeE();
+                                            phi_1942_ = true;
                                         }
-                                        let _e1294 = phi_1942_;
-                                        let _e1296 = phi_1943_;
-                                        if _e1296 {
-                                            phi_1947_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                        let _e1103 = phi_1941_;
+                                        let _e1105 = phi_1942_;
+                                        if _e1105 {
+                                            phi_1946_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                         } else {
-                                            phi_1947_ = _e1294;
+                                            phi_1946_ = _e1103;
                                         }
-                                        let _e1298 = phi_1947_;
-                                        if (_e1298.member_3 != 4294967295u) {
-                                            if (_e764 != 4294967295u) {
-                                                if (_e1298.member < _e735.member.member.member) {
-                                                    phi_1973_ = true;
+                                        let _e1107 = phi_1946_;
+                                        if (_e1107.member_3 != 4294967295u) {
+                                            if (_e573 != 4294967295u) {
+                                                if (_e1107.member < _e544.member.member.member) {
+                                                    phi_1972_ = true;
                                                 } else {
-                                                    if (_e1298.member == _e735.member.member.member) {
-                                                        phi_1972_ = (_e1298.member_3 < _e735.member.member.member_3);
+                                                    if (_e1107.member == _e544.member.member.member) {
+                                                        phi_1971_ = (_e1107.member_3 < _e544.member.member.member_3);
                                                     } else {
-                                                        phi_1972_ = false;
+                                                        phi_1971_ = false;
                                                     }
-                                                    let _e1313 = phi_1972_;
-                                                    phi_1973_ = _e1313;
+                                                    let _e1122 = phi_1971_;
+                                                    phi_1972_ = _e1122;
                                                 }
-                                                let _e1315 = phi_1973_;
-                                                if _e1315 {
-                                                    phi_1980_ = SlimbvhTypeK(SlimbvhTypeJ(_e1298, _e1298.member), _e735.member_1);
+                                                let _e1124 = phi_1972_;
+                                                if _e1124 {
+                                                    phi_1979_ = SlimbvhTypeK(SlimbvhTypeJ(_e1107, _e1107.member), _e544.member_1);
                                                 } else {
-                                                    phi_1980_ = _e735;
+                                                    phi_1979_ = _e544;
                                                 }
-                                                let _e1321 = phi_1980_;
-                                                phi_1981_ = _e1321;
+                                                let _e1130 = phi_1979_;
+                                                phi_1980_ = _e1130;
                                             } else {
-                                                phi_1981_ = _e735;
+                                                phi_1980_ = _e544;
                                             }
-                                            let _e1323 = phi_1981_;
-                                            phi_1982_ = _e1323;
+                                            let _e1132 = phi_1980_;
+                                            phi_1981_ = _e1132;
                                         } else {
-                                            phi_1982_ = _e735;
+                                            phi_1981_ = _e544;
                                         }
-                                        let _e1325 = phi_1982_;
-                                        phi_910_ = _e1325;
+                                        let _e1134 = phi_1981_;
+                                        phi_909_ = _e1134;
                                     } else {
-                                        phi_910_ = SlimbvhTypeK();
+                                        phi_909_ = SlimbvhTypeK();
                                     }
-                                    let _e1327 = phi_910_;
+                                    let _e1136 = phi_909_;
                                     continue;
                                     continuing {
-                                        phi_909_ = _e1327;
-                                        phi_912_ = _e750;
-                                        phi_2745_ = _e506;
-                                        break if !(_e756);
+                                        phi_908_ = _e1136;
+                                        phi_911_ = _e559;
+                                        phi_2741_ = _e504;
+                                        break if !(_e565);
                                     }
                                 }
-                                let _e1330 = phi_2745_;
-                                phi_2906_ = _e1330;
-                                if _e1330 {
+                                let _e1139 = phi_2741_;
+                                phi_2902_ = _e1139;
+                                if _e1139 {
                                     break;
                                 }
-                                let _e1332 = local_2;
-                                if _e1332.member_1 {
-                                    let _e1335 = local_3;
-                                    phi_1989_ = (_e1335.member.member.member_3 != 4294967295u);
-                                } else {
-                                    phi_1989_ = false;
-                                }
-                                let _e1341 = phi_1989_;
-                                phi_2910_ = _e1330;
-                                let _e1627 = local_5;
-                                phi_2482_ = _e1627;
-                                phi_2483_ = false;
-                                phi_2484_ = select(_e534, 0u, _e1341);
-                                phi_2485_ = _e536;
+                                phi_2937_ = _e1139;
+                                let _e1610 = local_3;
+                                phi_1982_ = _e1610;
                             } else {
-                                if (_e536 >= _e74) {
-                                    phi_2066_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
-                                } else {
-                                    if (_e536 < _e74) {
-                                    } else {
-                                        phi_2906_ = true;
-                                        break;
-                                    }
-                                    let _e546 = (_e169 % 3u);
-                                    if (_e546 < 3u) {
-                                    } else {
-                                        phi_2906_ = true;
-                                        break;
-                                    }
-                                    let _e552 = slimbvh_nodes.member[_e536].member[_e546];
-                                    let _e558 = (_e168 % 3u);
-                                    if (_e558 < 3u) {
-                                    } else {
-                                        phi_2906_ = true;
-                                        break;
-                                    }
-                                    let _e564 = slimbvh_nodes.member[_e536].member[_e558];
-                                    let _e570 = (_e170 % 3u);
-                                    if (_e570 < 3u) {
-                                    } else {
-                                        phi_2906_ = true;
-                                        break;
-                                    }
-                                    let _e576 = slimbvh_nodes.member[_e536].member[_e570];
-                                    let _e586 = slimbvh_nodes.member[_e536].member_1;
-                                    let _e590 = slimbvh_nodes.member[_e536].member_2;
-                                    phi_2066_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(_e552[0], _e552[1], _e552[2], _e552[3]), vec4<f32>(_e564[0], _e564[1], _e564[2], _e564[3]), vec4<f32>(_e576[0], _e576[1], _e576[2], _e576[3])), _e586, _e590);
-                                }
-                                let _e593 = phi_2066_;
-                                let _e606 = ((_e593.member[0].x - _e256) * _e261);
-                                let _e607 = ((_e593.member[0].y - _e256) * _e261);
-                                let _e608 = ((_e593.member[0].z - _e257) * _e261);
-                                let _e609 = ((_e593.member[0].w - _e257) * _e261);
-                                let _e619 = ((_e593.member[1].x - _e314) * _e319);
-                                let _e620 = ((_e593.member[1].y - _e314) * _e319);
-                                let _e621 = ((_e593.member[1].z - _e315) * _e319);
-                                let _e622 = ((_e593.member[1].w - _e315) * _e319);
-                                let _e632 = ((_e593.member[2].x - _e372) * _e377);
-                                let _e633 = ((_e593.member[2].y - _e372) * _e377);
-                                let _e634 = ((_e593.member[2].z - _e373) * _e377);
-                                let _e635 = ((_e593.member[2].w - _e373) * _e377);
-                                let _e637 = select(_e634, _e632, (_e632 < _e634));
-                                let _e639 = select(_e635, _e633, (_e633 < _e635));
-                                let _e641 = select(_e634, _e632, (_e632 > _e634));
-                                let _e643 = select(_e635, _e633, (_e633 > _e635));
-                                let _e645 = select(_e608, _e606, (_e606 < _e608));
-                                let _e647 = select(_e609, _e607, (_e607 < _e609));
-                                let _e649 = select(_e621, _e619, (_e619 < _e621));
-                                let _e651 = select(_e622, _e620, (_e620 < _e622));
-                                let _e653 = select(_e649, _e645, (_e645 > _e649));
-                                let _e655 = select(_e651, _e647, (_e647 > _e651));
-                                let _e657 = select(_e637, _e653, (_e653 > _e637));
-                                let _e659 = select(_e639, _e655, (_e655 > _e639));
-                                let _e661 = select(_e608, _e606, (_e606 > _e608));
-                                let _e663 = select(_e609, _e607, (_e607 > _e609));
-                                let _e665 = select(_e621, _e619, (_e619 > _e621));
-                                let _e667 = select(_e622, _e620, (_e620 > _e622));
-                                let _e669 = select(_e665, _e661, (_e661 < _e665));
-                                let _e671 = select(_e667, _e663, (_e663 < _e667));
-                                let _e676 = -(_e637);
-                                let _e677 = -(_e639);
-                                let _e684 = (select(_e641, _e669, (_e669 < _e641)) + (select(_e676, _e641, (_e641 > _e676)) * 0.0000019073523f));
-                                let _e685 = (select(_e643, _e671, (_e671 < _e643)) + (select(_e677, _e643, (_e643 > _e677)) * 0.0000019073523f));
-                                let _e687 = select(_e489, _e657, (_e657 > _e489));
-                                let _e689 = select(_e489, _e659, (_e659 > _e489));
-                                let _e694 = (_e687 <= select(_e508.member.member_1, _e684, (_e684 < _e508.member.member_1)));
-                                let _e695 = (_e689 <= select(_e508.member.member_1, _e685, (_e685 < _e508.member.member_1)));
-                                let _e696 = (_e687 <= _e689);
-                                if _e694 {
-                                    if _e695 {
-                                        if _e696 {
-                                            phi_2428_ = _e593.member_2;
-                                        } else {
-                                            phi_2428_ = _e593.member_1;
-                                        }
-                                        let _e700 = phi_2428_;
-                                        let _e703 = (_e534 % 128u);
-                                        let _e704 = (_e703 < 128u);
-                                        if _e704 {
-                                        } else {
-                                            phi_2906_ = true;
-                                            break;
-                                        }
-                                        local_1[_e703] = _e700;
-                                        if _e704 {
-                                        } else {
-                                            phi_2906_ = true;
-                                            break;
-                                        }
-                                        local[_e703] = select(_e689, _e687, !(_e696));
-                                        if _e696 {
-                                            phi_2456_ = _e593.member_1;
-                                        } else {
-                                            phi_2456_ = _e593.member_2;
-                                        }
-                                        let _e711 = phi_2456_;
-                                        phi_2457_ = (_e534 + 1u);
-                                        phi_2458_ = _e711;
-                                    } else {
-                                        phi_2457_ = u32();
-                                        phi_2458_ = u32();
-                                    }
-                                    let _e713 = phi_2457_;
-                                    let _e715 = phi_2458_;
-                                    phi_2460_ = _e713;
-                                    phi_2461_ = _e715;
-                                    phi_2462_ = select(true, false, _e695);
-                                } else {
-                                    phi_2460_ = u32();
-                                    phi_2461_ = u32();
-                                    phi_2462_ = true;
-                                }
-                                let _e718 = phi_2460_;
-                                let _e720 = phi_2461_;
-                                let _e722 = phi_2462_;
-                                if _e722 {
-                                    if _e694 {
-                                        phi_2471_ = _e593.member_1;
-                                    } else {
-                                        phi_2471_ = _e593.member_2;
-                                    }
-                                    let _e726 = phi_2471_;
-                                    phi_2476_ = select(_e695, true, _e694);
-                                    phi_2478_ = _e726;
-                                } else {
-                                    phi_2476_ = _e532;
-                                    phi_2478_ = _e720;
-                                }
-                                let _e729 = phi_2476_;
-                                let _e731 = phi_2478_;
-                                phi_2910_ = _e506;
-                                phi_2482_ = _e508;
-                                phi_2483_ = _e729;
-                                phi_2484_ = select(_e718, _e534, _e722);
-                                phi_2485_ = _e731;
+                                phi_2937_ = _e504;
+                                phi_1982_ = _e506;
                             }
-                            let _e1344 = phi_2910_;
-                            let _e1346 = phi_2482_;
-                            let _e1348 = phi_2483_;
-                            let _e1350 = phi_2484_;
-                            let _e1352 = phi_2485_;
-                            phi_2909_ = _e1344;
-                            phi_2486_ = _e1346;
-                            phi_2487_ = _e1348;
-                            phi_2488_ = (_e512 - 1u);
-                            phi_2489_ = _e1350;
-                            phi_2490_ = _e1352;
+                            let _e1141 = phi_2937_;
+                            let _e1143 = phi_1982_;
+                            if _e537 {
+                                phi_2462_ = bool();
+                                phi_2463_ = u32();
+                                phi_2464_ = u32();
+                            } else {
+                                if (_e534 >= _e74) {
+                                    phi_2047_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                } else {
+                                    if (_e534 < _e74) {
+                                    } else {
+                                        phi_2902_ = true;
+                                        break;
+                                    }
+                                    let _e1146 = (_e169 % 3u);
+                                    if (_e1146 < 3u) {
+                                    } else {
+                                        phi_2902_ = true;
+                                        break;
+                                    }
+                                    let _e1152 = slimbvh_nodes.member[_e534].member[_e1146];
+                                    let _e1158 = (_e168 % 3u);
+                                    if (_e1158 < 3u) {
+                                    } else {
+                                        phi_2902_ = true;
+                                        break;
+                                    }
+                                    let _e1164 = slimbvh_nodes.member[_e534].member[_e1158];
+                                    let _e1170 = (_e170 % 3u);
+                                    if (_e1170 < 3u) {
+                                    } else {
+                                        phi_2902_ = true;
+                                        break;
+                                    }
+                                    let _e1176 = slimbvh_nodes.member[_e534].member[_e1170];
+                                    let _e1186 = slimbvh_nodes.member[_e534].member_1;
+                                    let _e1190 = slimbvh_nodes.member[_e534].member_2;
+                                    phi_2047_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(_e1152[0], _e1152[1], _e1152[2], _e1152[3]), vec4<f32>(_e1164[0], _e1164[1], _e1164[2], _e1164[3]), vec4<f32>(_e1176[0], _e1176[1], _e1176[2], _e1176[3])), _e1186, _e1190);
+                                }
+                                let _e1193 = phi_2047_;
+                                let _e1206 = ((_e1193.member[0].x - _e256) * _e261);
+                                let _e1207 = ((_e1193.member[0].y - _e256) * _e261);
+                                let _e1208 = ((_e1193.member[0].z - _e257) * _e261);
+                                let _e1209 = ((_e1193.member[0].w - _e257) * _e261);
+                                let _e1219 = ((_e1193.member[1].x - _e314) * _e319);
+                                let _e1220 = ((_e1193.member[1].y - _e314) * _e319);
+                                let _e1221 = ((_e1193.member[1].z - _e315) * _e319);
+                                let _e1222 = ((_e1193.member[1].w - _e315) * _e319);
+                                let _e1232 = ((_e1193.member[2].x - _e372) * _e377);
+                                let _e1233 = ((_e1193.member[2].y - _e372) * _e377);
+                                let _e1234 = ((_e1193.member[2].z - _e373) * _e377);
+                                let _e1235 = ((_e1193.member[2].w - _e373) * _e377);
+                                let _e1237 = select(_e1234, _e1232, (_e1232 < _e1234));
+                                let _e1239 = select(_e1235, _e1233, (_e1233 < _e1235));
+                                let _e1241 = select(_e1234, _e1232, (_e1232 > _e1234));
+                                let _e1243 = select(_e1235, _e1233, (_e1233 > _e1235));
+                                let _e1245 = select(_e1208, _e1206, (_e1206 < _e1208));
+                                let _e1247 = select(_e1209, _e1207, (_e1207 < _e1209));
+                                let _e1249 = select(_e1221, _e1219, (_e1219 < _e1221));
+                                let _e1251 = select(_e1222, _e1220, (_e1220 < _e1222));
+                                let _e1253 = select(_e1249, _e1245, (_e1245 > _e1249));
+                                let _e1255 = select(_e1251, _e1247, (_e1247 > _e1251));
+                                let _e1257 = select(_e1237, _e1253, (_e1253 > _e1237));
+                                let _e1259 = select(_e1239, _e1255, (_e1255 > _e1239));
+                                let _e1261 = select(_e1208, _e1206, (_e1206 > _e1208));
+                                let _e1263 = select(_e1209, _e1207, (_e1207 > _e1209));
+                                let _e1265 = select(_e1221, _e1219, (_e1219 > _e1221));
+                                let _e1267 = select(_e1222, _e1220, (_e1220 > _e1222));
+                                let _e1269 = select(_e1265, _e1261, (_e1261 < _e1265));
+                                let _e1271 = select(_e1267, _e1263, (_e1263 < _e1267));
+                                let _e1276 = -(_e1237);
+                                let _e1277 = -(_e1239);
+                                let _e1284 = (select(_e1241, _e1269, (_e1269 < _e1241)) + (select(_e1276, _e1241, (_e1241 > _e1276)) * 0.0000019073523f));
+                                let _e1285 = (select(_e1243, _e1271, (_e1271 < _e1243)) + (select(_e1277, _e1243, (_e1243 > _e1277)) * 0.0000019073523f));
+                                let _e1287 = select(_e489, _e1257, (_e1257 > _e489));
+                                let _e1289 = select(_e489, _e1259, (_e1259 > _e489));
+                                let _e1294 = (_e1287 <= select(_e1143.member.member_1, _e1284, (_e1284 < _e1143.member.member_1)));
+                                let _e1295 = (_e1289 <= select(_e1143.member.member_1, _e1285, (_e1285 < _e1143.member.member_1)));
+                                let _e1296 = (_e1287 <= _e1289);
+                                if _e1294 {
+                                    if _e1295 {
+                                        if _e1296 {
+                                            phi_2409_ = _e1193.member_2;
+                                        } else {
+                                            phi_2409_ = _e1193.member_1;
+                                        }
+                                        let _e1300 = phi_2409_;
+                                        let _e1302 = (_e532 % 128u);
+                                        let _e1303 = (_e1302 < 128u);
+                                        if _e1303 {
+                                        } else {
+                                            phi_2902_ = true;
+                                            break;
+                                        }
+                                        local_1[_e1302] = _e1300;
+                                        if _e1303 {
+                                        } else {
+                                            phi_2902_ = true;
+                                            break;
+                                        }
+                                        local[_e1302] = select(_e1287, _e1289, _e1296);
+                                        if _e1296 {
+                                            phi_2436_ = _e1193.member_1;
+                                        } else {
+                                            phi_2436_ = _e1193.member_2;
+                                        }
+                                        let _e1310 = phi_2436_;
+                                        phi_2437_ = (_e532 + 1u);
+                                        phi_2438_ = _e1310;
+                                    } else {
+                                        phi_2437_ = u32();
+                                        phi_2438_ = u32();
+                                    }
+                                    let _e1312 = phi_2437_;
+                                    let _e1314 = phi_2438_;
+                                    phi_2440_ = _e1312;
+                                    phi_2441_ = _e1314;
+                                    phi_2442_ = select(true, false, _e1295);
+                                } else {
+                                    phi_2440_ = u32();
+                                    phi_2441_ = u32();
+                                    phi_2442_ = true;
+                                }
+                                let _e1317 = phi_2440_;
+                                let _e1319 = phi_2441_;
+                                let _e1321 = phi_2442_;
+                                if _e1321 {
+                                    if _e1294 {
+                                        phi_2451_ = _e1193.member_1;
+                                    } else {
+                                        phi_2451_ = _e1193.member_2;
+                                    }
+                                    let _e1325 = phi_2451_;
+                                    phi_2456_ = select(_e1295, true, _e1294);
+                                    phi_2458_ = _e1325;
+                                } else {
+                                    phi_2456_ = _e530;
+                                    phi_2458_ = _e1319;
+                                }
+                                let _e1328 = phi_2456_;
+                                let _e1330 = phi_2458_;
+                                phi_2462_ = _e1328;
+                                phi_2463_ = select(_e1317, _e532, _e1321);
+                                phi_2464_ = _e1330;
+                            }
+                            let _e1333 = phi_2462_;
+                            let _e1335 = phi_2463_;
+                            let _e1337 = phi_2464_;
+                            if _e537 {
+                                if _e1143.member_1 {
+                                    phi_2474_ = (_e1143.member.member.member_3 != 4294967295u);
+                                } else {
+                                    phi_2474_ = false;
+                                }
+                                let _e1344 = phi_2474_;
+                                phi_2480_ = select(_e532, 0u, _e1344);
+                            } else {
+                                phi_2480_ = _e1335;
+                            }
+                            let _e1347 = phi_2480_;
+                            phi_2905_ = _e1141;
+                            phi_2482_ = _e1143;
+                            phi_2483_ = (_e508 - 1u);
+                            phi_2484_ = select(_e1333, false, _e537);
+                            phi_2485_ = _e1347;
+                            phi_2486_ = select(_e1337, _e534, _e537);
                         } else {
-                            phi_2909_ = _e506;
-                            phi_2486_ = _e508;
-                            phi_2487_ = _e532;
-                            phi_2488_ = _e512;
-                            phi_2489_ = _e534;
-                            phi_2490_ = _e536;
+                            phi_2905_ = _e504;
+                            phi_2482_ = _e506;
+                            phi_2483_ = _e508;
+                            phi_2484_ = _e530;
+                            phi_2485_ = _e532;
+                            phi_2486_ = _e534;
                         }
-                        let _e1354 = phi_2909_;
-                        let _e1356 = phi_2486_;
-                        let _e1358 = phi_2487_;
-                        let _e1360 = phi_2488_;
-                        let _e1362 = phi_2489_;
-                        let _e1364 = phi_2490_;
-                        phi_2908_ = _e1354;
-                        phi_2491_ = _e1356;
-                        phi_2492_ = _e1358;
-                        phi_2493_ = _e1360;
-                        phi_2494_ = _e1362;
-                        phi_2495_ = _e1364;
+                        let _e1351 = phi_2905_;
+                        let _e1353 = phi_2482_;
+                        let _e1355 = phi_2483_;
+                        let _e1357 = phi_2484_;
+                        let _e1359 = phi_2485_;
+                        let _e1361 = phi_2486_;
+                        phi_2904_ = _e1351;
+                        phi_2487_ = _e1353;
+                        phi_2488_ = _e1355;
+                        phi_2489_ = _e1357;
+                        phi_2490_ = _e1359;
+                        phi_2491_ = _e1361;
                     } else {
-                        phi_2908_ = _e506;
-                        phi_2491_ = SlimbvhTypeK();
-                        phi_2492_ = bool();
-                        phi_2493_ = u32();
-                        phi_2494_ = u32();
-                        phi_2495_ = u32();
+                        phi_2904_ = _e504;
+                        phi_2487_ = SlimbvhTypeK();
+                        phi_2488_ = u32();
+                        phi_2489_ = bool();
+                        phi_2490_ = u32();
+                        phi_2491_ = u32();
                     }
-                    let _e1366 = phi_2908_;
-                    let _e1368 = phi_2491_;
-                    let _e1370 = phi_2492_;
-                    let _e1372 = phi_2493_;
-                    let _e1374 = phi_2494_;
-                    let _e1376 = phi_2495_;
-                    phi_2907_ = _e1366;
-                    phi_841_ = _e1368;
-                    phi_844_ = _e1370;
-                    phi_846_ = _e1372;
-                    phi_848_ = _e1374;
-                    phi_850_ = _e1376;
-                    phi_2496_ = _e520;
+                    let _e1363 = phi_2904_;
+                    let _e1365 = phi_2487_;
+                    let _e1367 = phi_2488_;
+                    let _e1369 = phi_2489_;
+                    let _e1371 = phi_2490_;
+                    let _e1373 = phi_2491_;
+                    phi_2903_ = _e1363;
+                    phi_840_ = _e1365;
+                    phi_843_ = _e1367;
+                    phi_845_ = _e1369;
+                    phi_847_ = _e1371;
+                    phi_849_ = _e1373;
+                    phi_2492_ = _e518;
                 } else {
-                    phi_2907_ = _e506;
-                    phi_841_ = SlimbvhTypeK();
-                    phi_844_ = bool();
-                    phi_846_ = u32();
-                    phi_848_ = u32();
-                    phi_850_ = u32();
-                    phi_2496_ = false;
+                    phi_2903_ = _e504;
+                    phi_840_ = SlimbvhTypeK();
+                    phi_843_ = u32();
+                    phi_845_ = bool();
+                    phi_847_ = u32();
+                    phi_849_ = u32();
+                    phi_2492_ = false;
                 }
-                let _e1378 = phi_2907_;
-                let _e1380 = phi_841_;
-                let _e1382 = phi_844_;
-                let _e1384 = phi_846_;
-                let _e1386 = phi_848_;
-                let _e1388 = phi_850_;
-                let _e1390 = phi_2496_;
+                let _e1375 = phi_2903_;
+                let _e1377 = phi_840_;
+                let _e1379 = phi_843_;
+                let _e1381 = phi_845_;
+                let _e1383 = phi_847_;
+                let _e1385 = phi_849_;
+                let _e1387 = phi_2492_;
                 continue;
                 continuing {
-                    phi_2751_ = _e1378;
-                    phi_840_ = _e1380;
-                    phi_843_ = _e1382;
-                    phi_845_ = _e1384;
-                    phi_847_ = _e1386;
-                    phi_849_ = _e1388;
-                    phi_2906_ = _e1378;
-                    break if !(_e1390);
+                    phi_2747_ = _e1375;
+                    phi_839_ = _e1377;
+                    phi_842_ = _e1379;
+                    phi_844_ = _e1381;
+                    phi_846_ = _e1383;
+                    phi_848_ = _e1385;
+                    phi_2902_ = _e1375;
+                    break if !(_e1387);
                 }
             }
-            let _e1393 = phi_2906_;
-            if _e1393 {
+            let _e1390 = phi_2902_;
+            if _e1390 {
                 break;
             }
-            let _e1395 = local_4;
-            if (_e1395.member.member.member_3 != 4294967295u) {
-                let _e1401 = -(_e391);
-                let _e1402 = bitcast<u32>(_e1395.member.member.member);
-                let _e1406 = (bitcast<i32>((_e1402 >> bitcast<u32>(23i))) & 255i);
-                let _e1407 = (_e1406 + _e1401);
-                if (_e1406 == 255i) {
-                    phi_2555_ = _e1395.member.member.member;
+            let _e1392 = local_2;
+            if (_e1392.member.member.member_3 != 4294967295u) {
+                let _e1398 = -(_e391);
+                let _e1399 = bitcast<u32>(_e1392.member.member.member);
+                let _e1403 = (bitcast<i32>((_e1399 >> bitcast<u32>(23i))) & 255i);
+                let _e1404 = (_e1403 + _e1398);
+                if (_e1403 == 255i) {
+                    phi_2551_ = _e1392.member.member.member;
                 } else {
-                    if (_e1406 > 0i) {
-                        if (_e1407 > 0i) {
-                            let _e1411 = (_e1407 < 255i);
-                            if _e1411 {
-                                phi_2534_ = bitcast<f32>((_e1402 + bitcast<u32>((_e1401 << bitcast<u32>(23i)))));
+                    if (_e1403 > 0i) {
+                        if (_e1404 > 0i) {
+                            let _e1408 = (_e1404 < 255i);
+                            if _e1408 {
+                                phi_2530_ = bitcast<f32>((_e1399 + bitcast<u32>((_e1398 << bitcast<u32>(23i)))));
                             } else {
-                                phi_2534_ = f32();
+                                phi_2530_ = f32();
                             }
-                            let _e1418 = phi_2534_;
-                            phi_2536_ = _e1418;
-                            phi_2537_ = select(true, false, _e1411);
+                            let _e1415 = phi_2530_;
+                            phi_2532_ = _e1415;
+                            phi_2533_ = select(true, false, _e1408);
                         } else {
-                            phi_2536_ = f32();
-                            phi_2537_ = true;
+                            phi_2532_ = f32();
+                            phi_2533_ = true;
                         }
-                        let _e1421 = phi_2536_;
-                        let _e1423 = phi_2537_;
-                        phi_2538_ = _e1421;
-                        phi_2539_ = _e1423;
+                        let _e1418 = phi_2532_;
+                        let _e1420 = phi_2533_;
+                        phi_2534_ = _e1418;
+                        phi_2535_ = _e1420;
                     } else {
-                        phi_2538_ = f32();
-                        phi_2539_ = true;
+                        phi_2534_ = f32();
+                        phi_2535_ = true;
                     }
-                    let _e1425 = phi_2538_;
-                    let _e1427 = phi_2539_;
-                    if _e1427 {
-                        let _e1428 = (_e1402 & 2147483648u);
-                        let _e1435 = ((_e1402 & 8388607u) | (select(0u, 1u, ((_e1402 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e1439 = (_e1435 == 0u);
-                        if _e1439 {
-                            phi_2740_ = bitcast<f32>(_e1428);
+                    let _e1422 = phi_2534_;
+                    let _e1424 = phi_2535_;
+                    if _e1424 {
+                        let _e1425 = (_e1399 & 2147483648u);
+                        let _e1432 = ((_e1399 & 8388607u) | (select(0u, 1u, ((_e1399 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e1436 = (_e1432 == 0u);
+                        if _e1436 {
+                            phi_2736_ = bitcast<f32>(_e1425);
                         } else {
-                            let _e1444 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1435)), 32u, _e1439) - 8u);
-                            let _e1447 = (_e1435 << bitcast<u32>((_e1444 & 31u)));
-                            let _e1449 = ((_e1407 + select(0i, 1i, (_e1406 == 0i))) - bitcast<i32>(_e1444));
-                            if (_e1449 >= 255i) {
-                                phi_2730_ = bitcast<f32>((_e1428 | 2139095040u));
-                                phi_2731_ = f32();
-                                phi_2732_ = true;
+                            let _e1441 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1432)), 32u, _e1436) - 8u);
+                            let _e1444 = (_e1432 << bitcast<u32>((_e1441 & 31u)));
+                            let _e1446 = ((_e1404 + select(0i, 1i, (_e1403 == 0i))) - bitcast<i32>(_e1441));
+                            if (_e1446 >= 255i) {
+                                phi_2726_ = bitcast<f32>((_e1425 | 2139095040u));
+                                phi_2727_ = f32();
+                                phi_2728_ = true;
                             } else {
-                                let _e1451 = (_e1449 > 0i);
-                                if _e1451 {
-                                    phi_2724_ = bitcast<f32>(((_e1428 | (bitcast<u32>(_e1449) << bitcast<u32>(23i))) | (_e1447 & 8388607u)));
-                                    phi_2725_ = f32();
+                                let _e1448 = (_e1446 > 0i);
+                                if _e1448 {
+                                    phi_2720_ = bitcast<f32>(((_e1425 | (bitcast<u32>(_e1446) << bitcast<u32>(23i))) | (_e1444 & 8388607u)));
+                                    phi_2721_ = f32();
                                 } else {
-                                    if (_e1449 < -24i) {
-                                        phi_2690_ = 26u;
+                                    if (_e1446 < -24i) {
+                                        phi_2686_ = 26u;
                                     } else {
-                                        phi_2690_ = bitcast<u32>((1i - _e1449));
+                                        phi_2686_ = bitcast<u32>((1i - _e1446));
                                     }
-                                    let _e1456 = phi_2690_;
-                                    let _e1457 = (_e1456 & 31u);
-                                    let _e1459 = (_e1447 >> bitcast<u32>(_e1457));
-                                    let _e1463 = (_e1447 & ((1u << bitcast<u32>(_e1457)) - 1u));
-                                    let _e1467 = (1u << bitcast<u32>(((_e1456 - 1u) & 31u)));
-                                    if (_e1463 > _e1467) {
-                                        phi_2711_ = true;
+                                    let _e1453 = phi_2686_;
+                                    let _e1454 = (_e1453 & 31u);
+                                    let _e1456 = (_e1444 >> bitcast<u32>(_e1454));
+                                    let _e1460 = (_e1444 & ((1u << bitcast<u32>(_e1454)) - 1u));
+                                    let _e1464 = (1u << bitcast<u32>(((_e1453 - 1u) & 31u)));
+                                    if (_e1460 > _e1464) {
+                                        phi_2707_ = true;
                                     } else {
-                                        if (_e1463 == _e1467) {
-                                            phi_2708_ = ((_e1459 & 1u) == 1u);
+                                        if (_e1460 == _e1464) {
+                                            phi_2704_ = ((_e1456 & 1u) == 1u);
                                         } else {
-                                            phi_2708_ = false;
+                                            phi_2704_ = false;
                                         }
-                                        let _e1473 = phi_2708_;
-                                        phi_2711_ = _e1473;
+                                        let _e1470 = phi_2704_;
+                                        phi_2707_ = _e1470;
                                     }
-                                    let _e1475 = phi_2711_;
-                                    phi_2724_ = f32();
-                                    phi_2725_ = bitcast<f32>((_e1428 | (_e1459 + select(0u, 1u, _e1475))));
+                                    let _e1472 = phi_2707_;
+                                    phi_2720_ = f32();
+                                    phi_2721_ = bitcast<f32>((_e1425 | (_e1456 + select(0u, 1u, _e1472))));
                                 }
-                                let _e1488 = phi_2724_;
-                                let _e1490 = phi_2725_;
-                                phi_2730_ = _e1488;
-                                phi_2731_ = _e1490;
-                                phi_2732_ = _e1451;
+                                let _e1485 = phi_2720_;
+                                let _e1487 = phi_2721_;
+                                phi_2726_ = _e1485;
+                                phi_2727_ = _e1487;
+                                phi_2728_ = _e1448;
                             }
-                            let _e1494 = phi_2730_;
-                            let _e1496 = phi_2731_;
-                            let _e1498 = phi_2732_;
-                            phi_2740_ = select(_e1496, _e1494, _e1498);
+                            let _e1491 = phi_2726_;
+                            let _e1493 = phi_2727_;
+                            let _e1495 = phi_2728_;
+                            phi_2736_ = select(_e1493, _e1491, _e1495);
                         }
-                        let _e1502 = phi_2740_;
-                        phi_2554_ = _e1502;
+                        let _e1499 = phi_2736_;
+                        phi_2550_ = _e1499;
                     } else {
-                        phi_2554_ = _e1425;
+                        phi_2550_ = _e1422;
                     }
-                    let _e1504 = phi_2554_;
-                    phi_2555_ = _e1504;
+                    let _e1501 = phi_2550_;
+                    phi_2551_ = _e1501;
                 }
-                let _e1506 = phi_2555_;
-                let _e1507 = bitcast<u32>(_e1506);
-                if ((_e1507 & 2147483647u) >= 2139095040u) {
-                    phi_2567_ = bitcast<f32>(((_e1507 & 2147483648u) | 2139095039u));
+                let _e1503 = phi_2551_;
+                let _e1504 = bitcast<u32>(_e1503);
+                if ((_e1504 & 2147483647u) >= 2139095040u) {
+                    phi_2563_ = bitcast<f32>(((_e1504 & 2147483648u) | 2139095039u));
                 } else {
-                    phi_2567_ = _e1506;
+                    phi_2563_ = _e1503;
                 }
-                let _e1514 = phi_2567_;
-                phi_2572_ = SlimbvhTypeE(_e1514, _e1395.member.member.member_1, _e1395.member.member.member_2, _e1395.member.member.member_3);
+                let _e1511 = phi_2563_;
+                phi_2568_ = SlimbvhTypeE(_e1511, _e1392.member.member.member_1, _e1392.member.member.member_2, _e1392.member.member.member_3);
             } else {
-                phi_2572_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                phi_2568_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
             }
-            let _e1519 = phi_2572_;
-            slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1519.member), bitcast<u32>(_e1519.member_1), bitcast<u32>(_e1519.member_2), _e1519.member_3);
+            let _e1516 = phi_2568_;
+            slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1516.member), bitcast<u32>(_e1516.member_1), bitcast<u32>(_e1516.member_2), _e1516.member_3);
             break;
         }
     }

@@ -111,27 +111,16 @@ fn function_() {
     var phi_865_: u32;
     var phi_873_: f32;
     var phi_874_: f32;
-    var phi_2543_: bool;
+    var phi_2546_: bool;
     var phi_889_: type_46;
-    var phi_892_: bool;
-    var phi_894_: u32;
+    var phi_892_: u32;
+    var phi_894_: bool;
     var phi_896_: u32;
     var phi_898_: u32;
     var phi_909_: bool;
     var phi_941_: bool;
     var phi_942_: u32;
     var phi_943_: u32;
-    var phi_2080_: type_42;
-    var phi_2442_: u32;
-    var phi_2470_: u32;
-    var phi_2471_: u32;
-    var phi_2472_: u32;
-    var phi_2474_: u32;
-    var phi_2475_: u32;
-    var phi_2476_: bool;
-    var phi_2485_: u32;
-    var phi_2490_: bool;
-    var phi_2492_: u32;
     var phi_958_: type_46;
     var phi_961_: type_7;
     var phi_962_: type_7;
@@ -176,35 +165,46 @@ fn function_() {
     var phi_2007_: type_46;
     var phi_2008_: type_46;
     var phi_959_: type_46;
-    var phi_2537_: bool;
-    var local_2: type_46;
-    var phi_2698_: bool;
-    var phi_2496_: type_46;
-    var phi_2497_: bool;
-    var phi_2498_: u32;
-    var phi_2499_: u32;
-    var phi_2697_: bool;
-    var phi_2500_: type_46;
-    var phi_2501_: bool;
-    var phi_2502_: u32;
-    var phi_2503_: u32;
+    var phi_2540_: bool;
+    var phi_2732_: bool;
+    var phi_2009_: type_46;
+    var phi_2074_: type_42;
+    var phi_2436_: u32;
+    var phi_2463_: u32;
+    var phi_2464_: u32;
+    var phi_2465_: u32;
+    var phi_2467_: u32;
+    var phi_2468_: u32;
+    var phi_2469_: bool;
+    var phi_2478_: u32;
+    var phi_2483_: bool;
+    var phi_2485_: u32;
+    var phi_2489_: bool;
+    var phi_2490_: u32;
+    var phi_2491_: u32;
+    var phi_2501_: u32;
+    var phi_2700_: bool;
+    var phi_2503_: type_46;
     var phi_2504_: u32;
-    var phi_2696_: bool;
-    var phi_2505_: type_46;
-    var phi_2506_: bool;
+    var phi_2505_: bool;
+    var phi_2506_: u32;
     var phi_2507_: u32;
-    var phi_2508_: u32;
+    var phi_2699_: bool;
+    var phi_2508_: type_46;
     var phi_2509_: u32;
-    var phi_2695_: bool;
+    var phi_2510_: bool;
+    var phi_2511_: u32;
+    var phi_2512_: u32;
+    var phi_2698_: bool;
     var phi_890_: type_46;
-    var phi_893_: bool;
-    var phi_895_: u32;
+    var phi_893_: u32;
+    var phi_895_: bool;
     var phi_897_: u32;
     var phi_899_: u32;
-    var phi_2510_: bool;
-    var phi_2694_: bool;
+    var phi_2513_: bool;
+    var phi_2697_: bool;
+    var local_2: type_46;
     var local_3: type_46;
-    var local_4: type_46;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -516,31 +516,31 @@ fn function_() {
                     let _e554 = phi_874_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2543_ = false;
+                    phi_2546_ = false;
                     phi_889_ = type_46(_e552, false);
-                    phi_892_ = (_e554 <= _e552);
-                    phi_894_ = ((3u * _e71) + 1u);
+                    phi_892_ = ((3u * _e71) + 1u);
+                    phi_894_ = (_e554 <= _e552);
                     phi_896_ = 0u;
                     phi_898_ = select(0u, 2147483648u, (_e71 == 0u));
                     loop {
-                        let _e562 = phi_2543_;
+                        let _e562 = phi_2546_;
                         let _e564 = phi_889_;
                         let _e566 = phi_892_;
                         let _e568 = phi_894_;
                         let _e570 = phi_896_;
                         let _e572 = phi_898_;
-                        local_3 = _e564;
-                        if _e566 {
+                        local_2 = _e564;
+                        if _e568 {
                             phi_909_ = true;
                         } else {
                             phi_909_ = (_e570 > 0u);
                         }
                         let _e575 = phi_909_;
                         if _e575 {
-                            let _e576 = (_e568 > 0u);
+                            let _e576 = (_e566 > 0u);
                             if _e576 {
-                                if _e566 {
-                                    phi_941_ = _e566;
+                                if _e568 {
+                                    phi_941_ = _e568;
                                     phi_942_ = _e570;
                                     phi_943_ = _e572;
                                 } else {
@@ -549,13 +549,13 @@ fn function_() {
                                     let _e579 = (_e578 < 128u);
                                     if _e579 {
                                     } else {
-                                        phi_2694_ = true;
+                                        phi_2697_ = true;
                                         break;
                                     }
                                     let _e581 = local_1[_e578];
                                     if _e579 {
                                     } else {
-                                        phi_2694_ = true;
+                                        phi_2697_ = true;
                                         break;
                                     }
                                     let _e583 = local[_e578];
@@ -567,668 +567,676 @@ fn function_() {
                                 let _e589 = phi_942_;
                                 let _e591 = phi_943_;
                                 if _e587 {
-                                    if ((_e591 & 2147483648u) != 0u) {
+                                    let _e594 = ((_e591 & 2147483648u) != 0u);
+                                    if _e594 {
                                         phi_958_ = _e564;
                                         phi_961_ = type_7(0u, ((_e591 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e789 = phi_958_;
-                                            let _e791 = phi_961_;
-                                            local_2 = _e789;
-                                            local_4 = _e789;
-                                            if (_e791.member < _e791.member_1) {
-                                                phi_962_ = type_7((_e791.member + 1u), _e791.member_1);
-                                                phi_984_ = type_7(1u, _e791.member);
+                                            let _e601 = phi_958_;
+                                            let _e603 = phi_961_;
+                                            local_3 = _e601;
+                                            if (_e603.member < _e603.member_1) {
+                                                phi_962_ = type_7((_e603.member + 1u), _e603.member_1);
+                                                phi_984_ = type_7(1u, _e603.member);
                                             } else {
-                                                phi_962_ = _e791;
+                                                phi_962_ = _e603;
                                                 phi_984_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e804 = phi_962_;
-                                            let _e806 = phi_984_;
-                                            let _e810 = (bitcast<i32>(_e806.member) != 0i);
-                                            if _e810 {
-                                                let _e811 = ((_e591 & 268435455u) + _e806.member_1);
-                                                let _e812 = (_e811 < _e73);
-                                                if _e812 {
-                                                    if _e812 {
+                                            let _e616 = phi_962_;
+                                            let _e618 = phi_984_;
+                                            let _e622 = (bitcast<i32>(_e618.member) != 0i);
+                                            if _e622 {
+                                                let _e623 = ((_e591 & 268435455u) + _e618.member_1);
+                                                let _e624 = (_e623 < _e73);
+                                                if _e624 {
+                                                    if _e624 {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e816 = global_3.member[_e811].member_1;
-                                                    phi_1005_ = _e816;
+                                                    let _e628 = global_3.member[_e623].member_1;
+                                                    phi_1005_ = _e628;
                                                 } else {
                                                     phi_1005_ = 4294967295u;
                                                 }
-                                                let _e818 = phi_1005_;
-                                                if (_e811 >= _e73) {
+                                                let _e630 = phi_1005_;
+                                                if (_e623 >= _e73) {
                                                     phi_1097_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e812 {
+                                                    if _e624 {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e820 = (_e199 % 3u);
-                                                    let _e821 = (_e198 % 3u);
-                                                    let _e822 = (_e200 % 3u);
-                                                    if (_e820 < 9u) {
+                                                    let _e632 = (_e199 % 3u);
+                                                    let _e633 = (_e198 % 3u);
+                                                    let _e634 = (_e200 % 3u);
+                                                    if (_e632 < 9u) {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e828 = global_3.member[_e811].member[_e820];
-                                                    if (_e821 < 9u) {
+                                                    let _e640 = global_3.member[_e623].member[_e632];
+                                                    if (_e633 < 9u) {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e834 = global_3.member[_e811].member[_e821];
-                                                    if (_e822 < 9u) {
+                                                    let _e646 = global_3.member[_e623].member[_e633];
+                                                    if (_e634 < 9u) {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e840 = global_3.member[_e811].member[_e822];
-                                                    let _e842 = (3u + _e820);
-                                                    if (_e842 < 9u) {
+                                                    let _e652 = global_3.member[_e623].member[_e634];
+                                                    let _e654 = (3u + _e632);
+                                                    if (_e654 < 9u) {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e848 = global_3.member[_e811].member[_e842];
-                                                    let _e849 = (3u + _e821);
-                                                    if (_e849 < 9u) {
+                                                    let _e660 = global_3.member[_e623].member[_e654];
+                                                    let _e661 = (3u + _e633);
+                                                    if (_e661 < 9u) {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e855 = global_3.member[_e811].member[_e849];
-                                                    let _e856 = (3u + _e822);
-                                                    if (_e856 < 9u) {
+                                                    let _e667 = global_3.member[_e623].member[_e661];
+                                                    let _e668 = (3u + _e634);
+                                                    if (_e668 < 9u) {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e862 = global_3.member[_e811].member[_e856];
-                                                    let _e864 = (6u + _e820);
-                                                    if (_e864 < 9u) {
+                                                    let _e674 = global_3.member[_e623].member[_e668];
+                                                    let _e676 = (6u + _e632);
+                                                    if (_e676 < 9u) {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e870 = global_3.member[_e811].member[_e864];
-                                                    let _e871 = (6u + _e821);
-                                                    if (_e871 < 9u) {
+                                                    let _e682 = global_3.member[_e623].member[_e676];
+                                                    let _e683 = (6u + _e633);
+                                                    if (_e683 < 9u) {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e877 = global_3.member[_e811].member[_e871];
-                                                    let _e878 = (6u + _e822);
-                                                    if (_e878 < 9u) {
+                                                    let _e689 = global_3.member[_e623].member[_e683];
+                                                    let _e690 = (6u + _e634);
+                                                    if (_e690 < 9u) {
                                                     } else {
-                                                        phi_2537_ = true;
+                                                        phi_2540_ = true;
                                                         break;
                                                     }
-                                                    let _e884 = global_3.member[_e811].member[_e878];
-                                                    phi_1097_ = array<array<f32, 3>, 3>(array<f32, 3>(_e828, _e834, _e840), array<f32, 3>(_e848, _e855, _e862), array<f32, 3>(_e870, _e877, _e884));
+                                                    let _e696 = global_3.member[_e623].member[_e690];
+                                                    phi_1097_ = array<array<f32, 3>, 3>(array<f32, 3>(_e640, _e646, _e652), array<f32, 3>(_e660, _e667, _e674), array<f32, 3>(_e682, _e689, _e696));
                                                 }
-                                                let _e888 = phi_1097_;
-                                                let _e896 = (_e888[0][2] - _e400);
-                                                let _e899 = (((_e888[0][0] - _e263) * _e439) - (_e896 * _e303));
-                                                let _e902 = (((_e888[0][1] - _e332) * _e439) - (_e896 * _e371));
-                                                let _e909 = (_e888[1][2] - _e400);
-                                                let _e912 = (((_e888[1][0] - _e263) * _e439) - (_e909 * _e303));
-                                                let _e915 = (((_e888[1][1] - _e332) * _e439) - (_e909 * _e371));
-                                                let _e922 = (_e888[2][2] - _e400);
-                                                let _e925 = (((_e888[2][0] - _e263) * _e439) - (_e922 * _e303));
-                                                let _e928 = (((_e888[2][1] - _e332) * _e439) - (_e922 * _e371));
-                                                let _e929 = (_e925 * _e915);
-                                                let _e930 = (_e928 * _e912);
-                                                let _e931 = (_e899 * _e928);
-                                                let _e932 = (_e902 * _e925);
-                                                let _e933 = (_e912 * _e902);
-                                                let _e934 = (_e915 * _e899);
-                                                let _e939 = (((_e929 >= _e930) && (_e931 >= _e932)) && (_e933 >= _e934));
-                                                if (_e939 || (((_e929 <= _e930) && (_e931 <= _e932)) && (_e933 <= _e934))) {
-                                                    let _e946 = select(-1f, 1f, _e939);
-                                                    let _e948 = ((_e929 - _e930) * _e946);
-                                                    let _e950 = select(0f, _e948, (_e948 > 0f));
-                                                    let _e952 = ((_e931 - _e932) * _e946);
-                                                    let _e954 = select(0f, _e952, (_e952 > 0f));
-                                                    let _e956 = ((_e933 - _e934) * _e946);
-                                                    let _e958 = select(0f, _e956, (_e956 > 0f));
-                                                    let _e960 = ((_e950 + _e954) + _e958);
-                                                    if (_e960 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e700 = phi_1097_;
+                                                let _e708 = (_e700[0][2] - _e400);
+                                                let _e711 = (((_e700[0][0] - _e263) * _e439) - (_e708 * _e303));
+                                                let _e714 = (((_e700[0][1] - _e332) * _e439) - (_e708 * _e371));
+                                                let _e721 = (_e700[1][2] - _e400);
+                                                let _e724 = (((_e700[1][0] - _e263) * _e439) - (_e721 * _e303));
+                                                let _e727 = (((_e700[1][1] - _e332) * _e439) - (_e721 * _e371));
+                                                let _e734 = (_e700[2][2] - _e400);
+                                                let _e737 = (((_e700[2][0] - _e263) * _e439) - (_e734 * _e303));
+                                                let _e740 = (((_e700[2][1] - _e332) * _e439) - (_e734 * _e371));
+                                                let _e741 = (_e737 * _e727);
+                                                let _e742 = (_e740 * _e724);
+                                                let _e743 = (_e711 * _e740);
+                                                let _e744 = (_e714 * _e737);
+                                                let _e745 = (_e724 * _e714);
+                                                let _e746 = (_e727 * _e711);
+                                                let _e751 = (((_e741 >= _e742) && (_e743 >= _e744)) && (_e745 >= _e746));
+                                                if (_e751 || (((_e741 <= _e742) && (_e743 <= _e744)) && (_e745 <= _e746))) {
+                                                    let _e758 = select(-1f, 1f, _e751);
+                                                    let _e760 = ((_e741 - _e742) * _e758);
+                                                    let _e762 = select(0f, _e760, (_e760 > 0f));
+                                                    let _e764 = ((_e743 - _e744) * _e758);
+                                                    let _e766 = select(0f, _e764, (_e764 > 0f));
+                                                    let _e768 = ((_e745 - _e746) * _e758);
+                                                    let _e770 = select(0f, _e768, (_e768 > 0f));
+                                                    let _e772 = ((_e762 + _e766) + _e770);
+                                                    if (_e772 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_1981_ = type_26();
                                                         phi_1982_ = true;
                                                         phi_1983_ = false;
                                                     } else {
-                                                        let _e963 = select(_e912, _e899, (_e899 < _e912));
-                                                        if (select(_e925, _e963, (_e963 < _e925)) > 0f) {
+                                                        let _e775 = select(_e724, _e711, (_e711 < _e724));
+                                                        if (select(_e737, _e775, (_e775 < _e737)) > 0f) {
                                                             phi_1249_ = true;
                                                         } else {
-                                                            let _e968 = select(_e912, _e899, (_e899 > _e912));
-                                                            phi_1249_ = (select(_e925, _e968, (_e968 > _e925)) < 0f);
+                                                            let _e780 = select(_e724, _e711, (_e711 > _e724));
+                                                            phi_1249_ = (select(_e737, _e780, (_e780 > _e737)) < 0f);
                                                         }
-                                                        let _e973 = phi_1249_;
-                                                        if _e973 {
+                                                        let _e785 = phi_1249_;
+                                                        if _e785 {
                                                             phi_1978_ = type_26();
                                                             phi_1979_ = true;
                                                             phi_1980_ = false;
                                                         } else {
-                                                            let _e975 = select(_e915, _e902, (_e902 < _e915));
-                                                            if (select(_e928, _e975, (_e975 < _e928)) > 0f) {
+                                                            let _e787 = select(_e727, _e714, (_e714 < _e727));
+                                                            if (select(_e740, _e787, (_e787 < _e740)) > 0f) {
                                                                 phi_1278_ = true;
                                                             } else {
-                                                                let _e980 = select(_e915, _e902, (_e902 > _e915));
-                                                                phi_1278_ = (select(_e928, _e980, (_e980 > _e928)) < 0f);
+                                                                let _e792 = select(_e727, _e714, (_e714 > _e727));
+                                                                phi_1278_ = (select(_e740, _e792, (_e792 > _e740)) < 0f);
                                                             }
-                                                            let _e985 = phi_1278_;
-                                                            if _e985 {
+                                                            let _e797 = phi_1278_;
+                                                            if _e797 {
                                                                 phi_1976_ = type_26();
                                                                 phi_1977_ = false;
                                                             } else {
-                                                                let _e987 = select(_e888[1][0], _e888[0][0], (_e888[0][0] < _e888[1][0]));
-                                                                let _e991 = select(_e888[1][0], _e888[0][0], (_e888[0][0] > _e888[1][0]));
-                                                                let _e995 = select(_e888[1][1], _e888[0][1], (_e888[0][1] < _e888[1][1]));
-                                                                let _e999 = select(_e888[1][1], _e888[0][1], (_e888[0][1] > _e888[1][1]));
-                                                                let _e1003 = select(_e888[1][2], _e888[0][2], (_e888[0][2] < _e888[1][2]));
-                                                                let _e1007 = select(_e888[1][2], _e888[0][2], (_e888[0][2] > _e888[1][2]));
-                                                                let _e1012 = ((select(_e888[2][0], _e987, (_e987 < _e888[2][0])) - _e301) * _e306);
-                                                                let _e1013 = ((select(_e888[2][0], _e991, (_e991 > _e888[2][0])) - _e302) * _e306);
-                                                                let _e1016 = ((select(_e888[2][1], _e995, (_e995 < _e888[2][1])) - _e369) * _e374);
-                                                                let _e1017 = ((select(_e888[2][1], _e999, (_e999 > _e888[2][1])) - _e370) * _e374);
-                                                                let _e1020 = ((select(_e888[2][2], _e1003, (_e1003 < _e888[2][2])) - _e437) * _e442);
-                                                                let _e1021 = ((select(_e888[2][2], _e1007, (_e1007 > _e888[2][2])) - _e438) * _e442);
-                                                                let _e1023 = select(_e1021, _e1020, (_e1020 < _e1021));
-                                                                let _e1025 = select(_e1021, _e1020, (_e1020 > _e1021));
-                                                                let _e1027 = select(_e1013, _e1012, (_e1012 < _e1013));
-                                                                let _e1029 = select(_e1017, _e1016, (_e1016 < _e1017));
-                                                                let _e1031 = select(_e1029, _e1027, (_e1027 > _e1029));
-                                                                let _e1033 = select(_e1023, _e1031, (_e1031 > _e1023));
-                                                                let _e1035 = select(_e1013, _e1012, (_e1012 > _e1013));
-                                                                let _e1037 = select(_e1017, _e1016, (_e1016 > _e1017));
-                                                                let _e1039 = select(_e1037, _e1035, (_e1035 < _e1037));
-                                                                let _e1041 = select(_e1025, _e1039, (_e1039 < _e1025));
-                                                                let _e1042 = -(_e1023);
-                                                                let _e1048 = select(_e554, _e1033, (_e1033 > _e554));
-                                                                if (_e1048 > (_e1041 + (select(_e1042, _e1025, (_e1025 > _e1042)) * 0.0000019073523f))) {
+                                                                let _e799 = select(_e700[1][0], _e700[0][0], (_e700[0][0] < _e700[1][0]));
+                                                                let _e803 = select(_e700[1][0], _e700[0][0], (_e700[0][0] > _e700[1][0]));
+                                                                let _e807 = select(_e700[1][1], _e700[0][1], (_e700[0][1] < _e700[1][1]));
+                                                                let _e811 = select(_e700[1][1], _e700[0][1], (_e700[0][1] > _e700[1][1]));
+                                                                let _e815 = select(_e700[1][2], _e700[0][2], (_e700[0][2] < _e700[1][2]));
+                                                                let _e819 = select(_e700[1][2], _e700[0][2], (_e700[0][2] > _e700[1][2]));
+                                                                let _e824 = ((select(_e700[2][0], _e799, (_e799 < _e700[2][0])) - _e301) * _e306);
+                                                                let _e825 = ((select(_e700[2][0], _e803, (_e803 > _e700[2][0])) - _e302) * _e306);
+                                                                let _e828 = ((select(_e700[2][1], _e807, (_e807 < _e700[2][1])) - _e369) * _e374);
+                                                                let _e829 = ((select(_e700[2][1], _e811, (_e811 > _e700[2][1])) - _e370) * _e374);
+                                                                let _e832 = ((select(_e700[2][2], _e815, (_e815 < _e700[2][2])) - _e437) * _e442);
+                                                                let _e833 = ((select(_e700[2][2], _e819, (_e819 > _e700[2][2])) - _e438) * _e442);
+                                                                let _e835 = select(_e833, _e832, (_e832 < _e833));
+                                                                let _e837 = select(_e833, _e832, (_e832 > _e833));
+                                                                let _e839 = select(_e825, _e824, (_e824 < _e825));
+                                                                let _e841 = select(_e829, _e828, (_e828 < _e829));
+                                                                let _e843 = select(_e841, _e839, (_e839 > _e841));
+                                                                let _e845 = select(_e835, _e843, (_e843 > _e835));
+                                                                let _e847 = select(_e825, _e824, (_e824 > _e825));
+                                                                let _e849 = select(_e829, _e828, (_e828 > _e829));
+                                                                let _e851 = select(_e849, _e847, (_e847 < _e849));
+                                                                let _e853 = select(_e837, _e851, (_e851 < _e837));
+                                                                let _e854 = -(_e835);
+                                                                let _e860 = select(_e554, _e845, (_e845 > _e554));
+                                                                if (_e860 > (_e853 + (select(_e854, _e837, (_e837 > _e854)) * 0.0000019073523f))) {
                                                                     phi_1971_ = type_26();
                                                                     phi_1972_ = true;
                                                                 } else {
-                                                                    let _e1050 = (_e1048 > _e789.member);
-                                                                    if _e1050 {
+                                                                    let _e862 = (_e860 > _e601.member);
+                                                                    if _e862 {
                                                                         phi_1970_ = type_26();
                                                                     } else {
-                                                                        let _e1051 = vec3<f32>(_e888[0][0], _e888[0][1], _e888[0][2]);
-                                                                        let _e1052 = vec3<f32>(_e888[1][0], _e888[1][1], _e888[1][2]);
-                                                                        let _e1053 = vec3<f32>(_e888[2][0], _e888[2][1], _e888[2][2]);
-                                                                        let _e1054 = (_e888[1][0] - _e888[0][0]);
-                                                                        let _e1055 = (_e888[1][1] - _e888[0][1]);
-                                                                        let _e1056 = (_e888[1][2] - _e888[0][2]);
-                                                                        let _e1057 = vec3<f32>(_e1054, _e1055, _e1056);
-                                                                        let _e1058 = (_e888[2][0] - _e888[1][0]);
-                                                                        let _e1059 = (_e888[2][1] - _e888[1][1]);
-                                                                        let _e1060 = (_e888[2][2] - _e888[1][2]);
-                                                                        let _e1061 = vec3<f32>(_e1058, _e1059, _e1060);
-                                                                        let _e1062 = (_e888[0][0] - _e888[2][0]);
-                                                                        let _e1063 = (_e888[0][1] - _e888[2][1]);
-                                                                        let _e1064 = (_e888[0][2] - _e888[2][2]);
-                                                                        let _e1065 = vec3<f32>(_e1062, _e1063, _e1064);
-                                                                        let _e1068 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
-                                                                        let _e1071 = bitcast<f32>((bitcast<u32>(_e1055) & 2147483647u));
-                                                                        let _e1073 = select(_e1071, _e1068, (_e1068 > _e1071));
-                                                                        let _e1076 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
-                                                                        let _e1078 = select(_e1076, _e1073, (_e1073 > _e1076));
-                                                                        let _e1081 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
-                                                                        let _e1084 = bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u));
-                                                                        let _e1086 = select(_e1084, _e1081, (_e1081 > _e1084));
-                                                                        let _e1089 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
-                                                                        let _e1091 = select(_e1089, _e1086, (_e1086 > _e1089));
-                                                                        let _e1094 = bitcast<f32>((bitcast<u32>(_e1062) & 2147483647u));
-                                                                        let _e1097 = bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u));
-                                                                        let _e1099 = select(_e1097, _e1094, (_e1094 > _e1097));
-                                                                        let _e1102 = bitcast<f32>((bitcast<u32>(_e1064) & 2147483647u));
-                                                                        let _e1104 = select(_e1102, _e1099, (_e1099 > _e1102));
-                                                                        let _e1106 = select(_e1091, _e1078, (_e1078 > _e1091));
-                                                                        let _e1108 = select(_e1104, _e1106, (_e1106 > _e1104));
-                                                                        if (_e1078 == _e1108) {
-                                                                            phi_1697_ = _e915;
-                                                                            phi_1698_ = _e912;
-                                                                            phi_1699_ = _e902;
-                                                                            phi_1700_ = _e899;
-                                                                            phi_1701_ = _e1051;
-                                                                            phi_1702_ = _e1065;
-                                                                            phi_1703_ = _e1061;
-                                                                            phi_1704_ = _e1057;
+                                                                        let _e863 = vec3<f32>(_e700[0][0], _e700[0][1], _e700[0][2]);
+                                                                        let _e864 = vec3<f32>(_e700[1][0], _e700[1][1], _e700[1][2]);
+                                                                        let _e865 = vec3<f32>(_e700[2][0], _e700[2][1], _e700[2][2]);
+                                                                        let _e866 = (_e700[1][0] - _e700[0][0]);
+                                                                        let _e867 = (_e700[1][1] - _e700[0][1]);
+                                                                        let _e868 = (_e700[1][2] - _e700[0][2]);
+                                                                        let _e869 = vec3<f32>(_e866, _e867, _e868);
+                                                                        let _e870 = (_e700[2][0] - _e700[1][0]);
+                                                                        let _e871 = (_e700[2][1] - _e700[1][1]);
+                                                                        let _e872 = (_e700[2][2] - _e700[1][2]);
+                                                                        let _e873 = vec3<f32>(_e870, _e871, _e872);
+                                                                        let _e874 = (_e700[0][0] - _e700[2][0]);
+                                                                        let _e875 = (_e700[0][1] - _e700[2][1]);
+                                                                        let _e876 = (_e700[0][2] - _e700[2][2]);
+                                                                        let _e877 = vec3<f32>(_e874, _e875, _e876);
+                                                                        let _e880 = bitcast<f32>((bitcast<u32>(_e866) & 2147483647u));
+                                                                        let _e883 = bitcast<f32>((bitcast<u32>(_e867) & 2147483647u));
+                                                                        let _e885 = select(_e883, _e880, (_e880 > _e883));
+                                                                        let _e888 = bitcast<f32>((bitcast<u32>(_e868) & 2147483647u));
+                                                                        let _e890 = select(_e888, _e885, (_e885 > _e888));
+                                                                        let _e893 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
+                                                                        let _e896 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
+                                                                        let _e898 = select(_e896, _e893, (_e893 > _e896));
+                                                                        let _e901 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
+                                                                        let _e903 = select(_e901, _e898, (_e898 > _e901));
+                                                                        let _e906 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
+                                                                        let _e909 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
+                                                                        let _e911 = select(_e909, _e906, (_e906 > _e909));
+                                                                        let _e914 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
+                                                                        let _e916 = select(_e914, _e911, (_e911 > _e914));
+                                                                        let _e918 = select(_e903, _e890, (_e890 > _e903));
+                                                                        let _e920 = select(_e916, _e918, (_e918 > _e916));
+                                                                        if (_e890 == _e920) {
+                                                                            phi_1697_ = _e727;
+                                                                            phi_1698_ = _e724;
+                                                                            phi_1699_ = _e714;
+                                                                            phi_1700_ = _e711;
+                                                                            phi_1701_ = _e863;
+                                                                            phi_1702_ = _e877;
+                                                                            phi_1703_ = _e873;
+                                                                            phi_1704_ = _e869;
                                                                         } else {
-                                                                            let _e1110 = (_e1091 == _e1108);
-                                                                            let _e1115 = vec3(_e1110);
-                                                                            phi_1697_ = select(_e902, _e928, _e1110);
-                                                                            phi_1698_ = select(_e899, _e925, _e1110);
-                                                                            phi_1699_ = select(_e928, _e915, _e1110);
-                                                                            phi_1700_ = select(_e925, _e912, _e1110);
-                                                                            phi_1701_ = select(_e1053, _e1052, _e1115);
-                                                                            phi_1702_ = select(_e1061, _e1057, _e1115);
-                                                                            phi_1703_ = select(_e1057, _e1065, _e1115);
-                                                                            phi_1704_ = select(_e1065, _e1061, _e1115);
+                                                                            let _e922 = (_e903 == _e920);
+                                                                            let _e927 = vec3(_e922);
+                                                                            phi_1697_ = select(_e714, _e740, _e922);
+                                                                            phi_1698_ = select(_e711, _e737, _e922);
+                                                                            phi_1699_ = select(_e740, _e727, _e922);
+                                                                            phi_1700_ = select(_e737, _e724, _e922);
+                                                                            phi_1701_ = select(_e865, _e864, _e927);
+                                                                            phi_1702_ = select(_e873, _e869, _e927);
+                                                                            phi_1703_ = select(_e869, _e877, _e927);
+                                                                            phi_1704_ = select(_e877, _e873, _e927);
                                                                         }
-                                                                        let _e1121 = phi_1697_;
-                                                                        let _e1123 = phi_1698_;
-                                                                        let _e1125 = phi_1699_;
-                                                                        let _e1127 = phi_1700_;
-                                                                        let _e1129 = phi_1701_;
-                                                                        let _e1131 = phi_1702_;
-                                                                        let _e1133 = phi_1703_;
-                                                                        let _e1135 = phi_1704_;
-                                                                        let _e1142 = ((_e1133.y * _e1131.z) - (_e1131.y * _e1133.z));
-                                                                        let _e1147 = ((_e1133.z * _e1131.x) - (_e1131.z * _e1133.x));
-                                                                        let _e1150 = ((_e1133.x * _e1131.y) - (_e1131.x * _e1133.y));
-                                                                        if (_e950 >= _e954) {
-                                                                            phi_1741_ = select(true, false, (_e950 >= _e958));
+                                                                        let _e933 = phi_1697_;
+                                                                        let _e935 = phi_1698_;
+                                                                        let _e937 = phi_1699_;
+                                                                        let _e939 = phi_1700_;
+                                                                        let _e941 = phi_1701_;
+                                                                        let _e943 = phi_1702_;
+                                                                        let _e945 = phi_1703_;
+                                                                        let _e947 = phi_1704_;
+                                                                        let _e954 = ((_e945.y * _e943.z) - (_e943.y * _e945.z));
+                                                                        let _e959 = ((_e945.z * _e943.x) - (_e943.z * _e945.x));
+                                                                        let _e962 = ((_e945.x * _e943.y) - (_e943.x * _e945.y));
+                                                                        if (_e762 >= _e766) {
+                                                                            phi_1741_ = select(true, false, (_e762 >= _e770));
                                                                         } else {
                                                                             phi_1741_ = true;
                                                                         }
-                                                                        let _e1155 = phi_1741_;
-                                                                        if _e1155 {
-                                                                            phi_1750_ = select(_e1053, _e1052, vec3((_e954 >= _e958)));
+                                                                        let _e967 = phi_1741_;
+                                                                        if _e967 {
+                                                                            phi_1750_ = select(_e865, _e864, vec3((_e766 >= _e770)));
                                                                         } else {
-                                                                            phi_1750_ = _e1051;
+                                                                            phi_1750_ = _e863;
                                                                         }
-                                                                        let _e1160 = phi_1750_;
-                                                                        let _e1171 = (((_e1142 * (_e1160.x - _e263)) + (_e1147 * (_e1160.y - _e332))) + (_e1150 * (_e1160.z - _e400)));
-                                                                        let _e1176 = (((_e1142 * _e303) + (_e1147 * _e371)) + (_e1150 * _e439));
-                                                                        let _e1177 = (_e1123 - _e1127);
-                                                                        let _e1178 = (_e1121 - _e1125);
-                                                                        let _e1186 = (-(((_e1127 * _e1177) + (_e1125 * _e1178))) / ((_e1177 * _e1177) + (_e1178 * _e1178)));
-                                                                        let _e1188 = select(1f, _e1186, (_e1186 < 1f));
-                                                                        let _e1190 = select(0f, _e1188, (_e1188 > 0f));
-                                                                        let _e1203 = ((_e1129.x + (_e1135.x * _e1190)) - _e263);
-                                                                        let _e1204 = ((_e1129.y + (_e1135.y * _e1190)) - _e332);
-                                                                        let _e1205 = ((_e1129.z + (_e1135.z * _e1190)) - _e400);
-                                                                        let _e1206 = (_e1205 / _e439);
-                                                                        let _e1218 = bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u));
-                                                                        let _e1221 = bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u));
-                                                                        let _e1223 = select(_e1221, _e1218, (_e1218 > _e1221));
-                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u));
-                                                                        let _e1228 = select(_e1226, _e1223, (_e1223 > _e1226));
-                                                                        let _e1234 = bitcast<f32>((bitcast<u32>(_e1142) & 2147483647u));
-                                                                        let _e1237 = bitcast<f32>((bitcast<u32>(_e1147) & 2147483647u));
-                                                                        let _e1239 = select(_e1237, _e1234, (_e1234 > _e1237));
-                                                                        let _e1242 = bitcast<f32>((bitcast<u32>(_e1150) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1142 * _e1203) + (_e1147 * _e1204)) + (_e1150 * _e1205)) - _e1171)) & 2147483647u)) <= ((0.0000009536743f * select(_e1108, _e1228, (_e1228 > _e1108))) * select(_e1242, _e1239, (_e1239 > _e1242)))) {
-                                                                            let _e1252 = bitcast<f32>((bitcast<u32>(_e1133.x) & 2147483647u));
-                                                                            let _e1255 = bitcast<f32>((bitcast<u32>(_e1133.y) & 2147483647u));
-                                                                            let _e1257 = select(_e1255, _e1252, (_e1252 > _e1255));
-                                                                            let _e1260 = bitcast<f32>((bitcast<u32>(_e1133.z) & 2147483647u));
-                                                                            let _e1266 = bitcast<f32>((bitcast<u32>(_e1131.x) & 2147483647u));
-                                                                            let _e1269 = bitcast<f32>((bitcast<u32>(_e1131.y) & 2147483647u));
-                                                                            let _e1271 = select(_e1269, _e1266, (_e1266 > _e1269));
-                                                                            let _e1274 = bitcast<f32>((bitcast<u32>(_e1131.z) & 2147483647u));
-                                                                            let _e1278 = (bitcast<f32>((bitcast<u32>(_e1176) & 2147483647u)) > ((0.0000038146973f * select(_e1260, _e1257, (_e1257 > _e1260))) * select(_e1274, _e1271, (_e1271 > _e1274))));
-                                                                            if _e1278 {
-                                                                                phi_1915_ = (_e1171 / _e1176);
+                                                                        let _e972 = phi_1750_;
+                                                                        let _e983 = (((_e954 * (_e972.x - _e263)) + (_e959 * (_e972.y - _e332))) + (_e962 * (_e972.z - _e400)));
+                                                                        let _e988 = (((_e954 * _e303) + (_e959 * _e371)) + (_e962 * _e439));
+                                                                        let _e989 = (_e935 - _e939);
+                                                                        let _e990 = (_e933 - _e937);
+                                                                        let _e998 = (-(((_e939 * _e989) + (_e937 * _e990))) / ((_e989 * _e989) + (_e990 * _e990)));
+                                                                        let _e1000 = select(1f, _e998, (_e998 < 1f));
+                                                                        let _e1002 = select(0f, _e1000, (_e1000 > 0f));
+                                                                        let _e1015 = ((_e941.x + (_e947.x * _e1002)) - _e263);
+                                                                        let _e1016 = ((_e941.y + (_e947.y * _e1002)) - _e332);
+                                                                        let _e1017 = ((_e941.z + (_e947.z * _e1002)) - _e400);
+                                                                        let _e1018 = (_e1017 / _e439);
+                                                                        let _e1030 = bitcast<f32>((bitcast<u32>(_e1015) & 2147483647u));
+                                                                        let _e1033 = bitcast<f32>((bitcast<u32>(_e1016) & 2147483647u));
+                                                                        let _e1035 = select(_e1033, _e1030, (_e1030 > _e1033));
+                                                                        let _e1038 = bitcast<f32>((bitcast<u32>(_e1017) & 2147483647u));
+                                                                        let _e1040 = select(_e1038, _e1035, (_e1035 > _e1038));
+                                                                        let _e1046 = bitcast<f32>((bitcast<u32>(_e954) & 2147483647u));
+                                                                        let _e1049 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
+                                                                        let _e1051 = select(_e1049, _e1046, (_e1046 > _e1049));
+                                                                        let _e1054 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e954 * _e1015) + (_e959 * _e1016)) + (_e962 * _e1017)) - _e983)) & 2147483647u)) <= ((0.0000009536743f * select(_e920, _e1040, (_e1040 > _e920))) * select(_e1054, _e1051, (_e1051 > _e1054)))) {
+                                                                            let _e1064 = bitcast<f32>((bitcast<u32>(_e945.x) & 2147483647u));
+                                                                            let _e1067 = bitcast<f32>((bitcast<u32>(_e945.y) & 2147483647u));
+                                                                            let _e1069 = select(_e1067, _e1064, (_e1064 > _e1067));
+                                                                            let _e1072 = bitcast<f32>((bitcast<u32>(_e945.z) & 2147483647u));
+                                                                            let _e1078 = bitcast<f32>((bitcast<u32>(_e943.x) & 2147483647u));
+                                                                            let _e1081 = bitcast<f32>((bitcast<u32>(_e943.y) & 2147483647u));
+                                                                            let _e1083 = select(_e1081, _e1078, (_e1078 > _e1081));
+                                                                            let _e1086 = bitcast<f32>((bitcast<u32>(_e943.z) & 2147483647u));
+                                                                            let _e1090 = (bitcast<f32>((bitcast<u32>(_e988) & 2147483647u)) > ((0.0000038146973f * select(_e1072, _e1069, (_e1069 > _e1072))) * select(_e1086, _e1083, (_e1083 > _e1086))));
+                                                                            if _e1090 {
+                                                                                phi_1915_ = (_e983 / _e988);
                                                                             } else {
                                                                                 phi_1915_ = f32();
                                                                             }
-                                                                            let _e1281 = phi_1915_;
-                                                                            phi_1917_ = _e1281;
-                                                                            phi_1918_ = select(true, false, _e1278);
+                                                                            let _e1093 = phi_1915_;
+                                                                            phi_1917_ = _e1093;
+                                                                            phi_1918_ = select(true, false, _e1090);
                                                                         } else {
                                                                             phi_1917_ = f32();
                                                                             phi_1918_ = true;
                                                                         }
-                                                                        let _e1284 = phi_1917_;
-                                                                        let _e1286 = phi_1918_;
-                                                                        if _e1286 {
-                                                                            let _e1294 = (((_e1142 * (_e1203 - (_e303 * _e1206))) + (_e1147 * (_e1204 - (_e371 * _e1206)))) / _e1176);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1294) & 2147483647u)) <= _e1108) {
-                                                                                phi_1938_ = (_e1206 + _e1294);
+                                                                        let _e1096 = phi_1917_;
+                                                                        let _e1098 = phi_1918_;
+                                                                        if _e1098 {
+                                                                            let _e1106 = (((_e954 * (_e1015 - (_e303 * _e1018))) + (_e959 * (_e1016 - (_e371 * _e1018)))) / _e988);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1106) & 2147483647u)) <= _e920) {
+                                                                                phi_1938_ = (_e1018 + _e1106);
                                                                             } else {
-                                                                                phi_1938_ = _e1206;
+                                                                                phi_1938_ = _e1018;
                                                                             }
-                                                                            let _e1301 = phi_1938_;
-                                                                            phi_1939_ = _e1301;
+                                                                            let _e1113 = phi_1938_;
+                                                                            phi_1939_ = _e1113;
                                                                         } else {
-                                                                            phi_1939_ = _e1284;
+                                                                            phi_1939_ = _e1096;
                                                                         }
-                                                                        let _e1303 = phi_1939_;
-                                                                        let _e1305 = select(_e1041, _e1303, (_e1303 < _e1041));
-                                                                        let _e1307 = select(_e1033, _e1305, (_e1305 > _e1033));
-                                                                        if (_e1307 >= _e554) {
-                                                                            let _e1309 = (_e1307 <= _e789.member);
-                                                                            if _e1309 {
-                                                                                let _e1310 = (1f / _e960);
-                                                                                phi_1962_ = type_26(_e1307, (_e954 * _e1310), (_e958 * _e1310), _e818);
+                                                                        let _e1115 = phi_1939_;
+                                                                        let _e1117 = select(_e853, _e1115, (_e1115 < _e853));
+                                                                        let _e1119 = select(_e845, _e1117, (_e1117 > _e845));
+                                                                        if (_e1119 >= _e554) {
+                                                                            let _e1121 = (_e1119 <= _e601.member);
+                                                                            if _e1121 {
+                                                                                let _e1122 = (1f / _e772);
+                                                                                phi_1962_ = type_26(_e1119, (_e766 * _e1122), (_e770 * _e1122), _e630);
                                                                             } else {
                                                                                 phi_1962_ = type_26();
                                                                             }
-                                                                            let _e1315 = phi_1962_;
-                                                                            phi_1964_ = _e1315;
-                                                                            phi_1965_ = select(true, false, _e1309);
+                                                                            let _e1127 = phi_1962_;
+                                                                            phi_1964_ = _e1127;
+                                                                            phi_1965_ = select(true, false, _e1121);
                                                                         } else {
                                                                             phi_1964_ = type_26();
                                                                             phi_1965_ = true;
                                                                         }
-                                                                        let _e1318 = phi_1964_;
-                                                                        let _e1320 = phi_1965_;
-                                                                        if _e1320 {
+                                                                        let _e1130 = phi_1964_;
+                                                                        let _e1132 = phi_1965_;
+                                                                        if _e1132 {
                                                                             phi_1969_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1969_ = _e1318;
+                                                                            phi_1969_ = _e1130;
                                                                         }
-                                                                        let _e1322 = phi_1969_;
-                                                                        phi_1970_ = _e1322;
+                                                                        let _e1134 = phi_1969_;
+                                                                        phi_1970_ = _e1134;
                                                                     }
-                                                                    let _e1324 = phi_1970_;
-                                                                    phi_1971_ = _e1324;
-                                                                    phi_1972_ = _e1050;
+                                                                    let _e1136 = phi_1970_;
+                                                                    phi_1971_ = _e1136;
+                                                                    phi_1972_ = _e862;
                                                                 }
-                                                                let _e1326 = phi_1971_;
-                                                                let _e1328 = phi_1972_;
-                                                                phi_1976_ = _e1326;
-                                                                phi_1977_ = _e1328;
+                                                                let _e1138 = phi_1971_;
+                                                                let _e1140 = phi_1972_;
+                                                                phi_1976_ = _e1138;
+                                                                phi_1977_ = _e1140;
                                                             }
-                                                            let _e1330 = phi_1976_;
-                                                            let _e1332 = phi_1977_;
-                                                            phi_1978_ = _e1330;
-                                                            phi_1979_ = _e985;
-                                                            phi_1980_ = _e1332;
+                                                            let _e1142 = phi_1976_;
+                                                            let _e1144 = phi_1977_;
+                                                            phi_1978_ = _e1142;
+                                                            phi_1979_ = _e797;
+                                                            phi_1980_ = _e1144;
                                                         }
-                                                        let _e1334 = phi_1978_;
-                                                        let _e1336 = phi_1979_;
-                                                        let _e1338 = phi_1980_;
-                                                        phi_1981_ = _e1334;
-                                                        phi_1982_ = _e1336;
-                                                        phi_1983_ = _e1338;
+                                                        let _e1146 = phi_1978_;
+                                                        let _e1148 = phi_1979_;
+                                                        let _e1150 = phi_1980_;
+                                                        phi_1981_ = _e1146;
+                                                        phi_1982_ = _e1148;
+                                                        phi_1983_ = _e1150;
                                                     }
-                                                    let _e1340 = phi_1981_;
-                                                    let _e1342 = phi_1982_;
-                                                    let _e1344 = phi_1983_;
-                                                    phi_1991_ = _e1340;
-                                                    phi_1992_ = select(_e1344, true, _e1342);
+                                                    let _e1152 = phi_1981_;
+                                                    let _e1154 = phi_1982_;
+                                                    let _e1156 = phi_1983_;
+                                                    phi_1991_ = _e1152;
+                                                    phi_1992_ = select(_e1156, true, _e1154);
                                                 } else {
                                                     phi_1991_ = type_26();
                                                     phi_1992_ = true;
                                                 }
-                                                let _e1347 = phi_1991_;
-                                                let _e1349 = phi_1992_;
-                                                if _e1349 {
+                                                let _e1159 = phi_1991_;
+                                                let _e1161 = phi_1992_;
+                                                if _e1161 {
                                                     phi_1996_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1996_ = _e1347;
+                                                    phi_1996_ = _e1159;
                                                 }
-                                                let _e1351 = phi_1996_;
-                                                if (_e1351.member_3 != 4294967295u) {
-                                                    if (_e818 != 4294967295u) {
-                                                        phi_2007_ = type_46(_e789.member, true);
+                                                let _e1163 = phi_1996_;
+                                                if (_e1163.member_3 != 4294967295u) {
+                                                    if (_e630 != 4294967295u) {
+                                                        phi_2007_ = type_46(_e601.member, true);
                                                     } else {
-                                                        phi_2007_ = _e789;
+                                                        phi_2007_ = _e601;
                                                     }
-                                                    let _e1359 = phi_2007_;
-                                                    phi_2008_ = _e1359;
+                                                    let _e1171 = phi_2007_;
+                                                    phi_2008_ = _e1171;
                                                 } else {
-                                                    phi_2008_ = _e789;
+                                                    phi_2008_ = _e601;
                                                 }
-                                                let _e1361 = phi_2008_;
-                                                phi_959_ = _e1361;
+                                                let _e1173 = phi_2008_;
+                                                phi_959_ = _e1173;
                                             } else {
                                                 phi_959_ = type_46();
                                             }
-                                            let _e1363 = phi_959_;
+                                            let _e1175 = phi_959_;
                                             continue;
                                             continuing {
-                                                phi_958_ = _e1363;
-                                                phi_961_ = _e804;
-                                                phi_2537_ = _e562;
-                                                break if !(_e810);
+                                                phi_958_ = _e1175;
+                                                phi_961_ = _e616;
+                                                phi_2540_ = _e562;
+                                                break if !(_e622);
                                             }
                                         }
-                                        let _e1366 = phi_2537_;
-                                        phi_2694_ = _e1366;
-                                        if _e1366 {
+                                        let _e1178 = phi_2540_;
+                                        phi_2697_ = _e1178;
+                                        if _e1178 {
                                             break;
                                         }
-                                        let _e1368 = local_2;
-                                        phi_2698_ = _e1366;
-                                        let _e1533 = local_4;
-                                        phi_2496_ = _e1533;
-                                        phi_2497_ = false;
-                                        phi_2498_ = select(_e589, 0u, _e1368.member_1);
-                                        phi_2499_ = _e591;
+                                        phi_2732_ = _e1178;
+                                        let _e1522 = local_3;
+                                        phi_2009_ = _e1522;
+                                    } else {
+                                        phi_2732_ = _e562;
+                                        phi_2009_ = _e564;
+                                    }
+                                    let _e1180 = phi_2732_;
+                                    let _e1182 = phi_2009_;
+                                    if _e594 {
+                                        phi_2489_ = bool();
+                                        phi_2490_ = u32();
+                                        phi_2491_ = u32();
                                     } else {
                                         if (_e591 >= _e71) {
-                                            phi_2080_ = type_42(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_2074_ = type_42(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e591 < _e71) {
                                             } else {
-                                                phi_2694_ = true;
+                                                phi_2697_ = true;
                                                 break;
                                             }
-                                            let _e601 = (_e199 % 3u);
-                                            if (_e601 < 3u) {
+                                            let _e1185 = (_e199 % 3u);
+                                            if (_e1185 < 3u) {
                                             } else {
-                                                phi_2694_ = true;
+                                                phi_2697_ = true;
                                                 break;
                                             }
-                                            let _e607 = global_2.member[_e591].member[_e601];
-                                            let _e613 = (_e198 % 3u);
-                                            if (_e613 < 3u) {
+                                            let _e1191 = global_2.member[_e591].member[_e1185];
+                                            let _e1197 = (_e198 % 3u);
+                                            if (_e1197 < 3u) {
                                             } else {
-                                                phi_2694_ = true;
+                                                phi_2697_ = true;
                                                 break;
                                             }
-                                            let _e619 = global_2.member[_e591].member[_e613];
-                                            let _e625 = (_e200 % 3u);
-                                            if (_e625 < 3u) {
+                                            let _e1203 = global_2.member[_e591].member[_e1197];
+                                            let _e1209 = (_e200 % 3u);
+                                            if (_e1209 < 3u) {
                                             } else {
-                                                phi_2694_ = true;
+                                                phi_2697_ = true;
                                                 break;
                                             }
-                                            let _e631 = global_2.member[_e591].member[_e625];
-                                            let _e641 = global_2.member[_e591].member_1;
-                                            let _e645 = global_2.member[_e591].member_2;
-                                            phi_2080_ = type_42(array<vec4<f32>, 3>(vec4<f32>(_e607[0], _e607[1], _e607[2], _e607[3]), vec4<f32>(_e619[0], _e619[1], _e619[2], _e619[3]), vec4<f32>(_e631[0], _e631[1], _e631[2], _e631[3])), _e641, _e645);
+                                            let _e1215 = global_2.member[_e591].member[_e1209];
+                                            let _e1225 = global_2.member[_e591].member_1;
+                                            let _e1229 = global_2.member[_e591].member_2;
+                                            phi_2074_ = type_42(array<vec4<f32>, 3>(vec4<f32>(_e1191[0], _e1191[1], _e1191[2], _e1191[3]), vec4<f32>(_e1203[0], _e1203[1], _e1203[2], _e1203[3]), vec4<f32>(_e1215[0], _e1215[1], _e1215[2], _e1215[3])), _e1225, _e1229);
                                         }
-                                        let _e648 = phi_2080_;
-                                        let _e660 = ((_e648.member[0].x - _e301) * _e306);
-                                        let _e661 = ((_e648.member[0].y - _e301) * _e306);
-                                        let _e662 = ((_e648.member[0].z - _e302) * _e306);
-                                        let _e663 = ((_e648.member[0].w - _e302) * _e306);
-                                        let _e673 = ((_e648.member[1].x - _e369) * _e374);
-                                        let _e674 = ((_e648.member[1].y - _e369) * _e374);
-                                        let _e675 = ((_e648.member[1].z - _e370) * _e374);
-                                        let _e676 = ((_e648.member[1].w - _e370) * _e374);
-                                        let _e686 = ((_e648.member[2].x - _e437) * _e442);
-                                        let _e687 = ((_e648.member[2].y - _e437) * _e442);
-                                        let _e688 = ((_e648.member[2].z - _e438) * _e442);
-                                        let _e689 = ((_e648.member[2].w - _e438) * _e442);
-                                        let _e691 = select(_e688, _e686, (_e686 < _e688));
-                                        let _e693 = select(_e689, _e687, (_e687 < _e689));
-                                        let _e695 = select(_e688, _e686, (_e686 > _e688));
-                                        let _e697 = select(_e689, _e687, (_e687 > _e689));
-                                        let _e699 = select(_e662, _e660, (_e660 < _e662));
-                                        let _e701 = select(_e663, _e661, (_e661 < _e663));
-                                        let _e703 = select(_e675, _e673, (_e673 < _e675));
-                                        let _e705 = select(_e676, _e674, (_e674 < _e676));
-                                        let _e707 = select(_e703, _e699, (_e699 > _e703));
-                                        let _e709 = select(_e705, _e701, (_e701 > _e705));
-                                        let _e711 = select(_e691, _e707, (_e707 > _e691));
-                                        let _e713 = select(_e693, _e709, (_e709 > _e693));
-                                        let _e715 = select(_e662, _e660, (_e660 > _e662));
-                                        let _e717 = select(_e663, _e661, (_e661 > _e663));
-                                        let _e719 = select(_e675, _e673, (_e673 > _e675));
-                                        let _e721 = select(_e676, _e674, (_e674 > _e676));
-                                        let _e723 = select(_e719, _e715, (_e715 < _e719));
-                                        let _e725 = select(_e721, _e717, (_e717 < _e721));
-                                        let _e730 = -(_e691);
-                                        let _e731 = -(_e693);
-                                        let _e738 = (select(_e695, _e723, (_e723 < _e695)) + (select(_e730, _e695, (_e695 > _e730)) * 0.0000019073523f));
-                                        let _e739 = (select(_e697, _e725, (_e725 < _e697)) + (select(_e731, _e697, (_e697 > _e731)) * 0.0000019073523f));
-                                        let _e741 = select(_e554, _e711, (_e711 > _e554));
-                                        let _e743 = select(_e554, _e713, (_e713 > _e554));
-                                        let _e748 = (_e741 <= select(_e564.member, _e738, (_e738 < _e564.member)));
-                                        let _e749 = (_e743 <= select(_e564.member, _e739, (_e739 < _e564.member)));
-                                        let _e750 = (_e741 <= _e743);
-                                        if _e748 {
-                                            if _e749 {
-                                                if _e750 {
-                                                    phi_2442_ = _e648.member_2;
+                                        let _e1232 = phi_2074_;
+                                        let _e1244 = ((_e1232.member[0].x - _e301) * _e306);
+                                        let _e1245 = ((_e1232.member[0].y - _e301) * _e306);
+                                        let _e1246 = ((_e1232.member[0].z - _e302) * _e306);
+                                        let _e1247 = ((_e1232.member[0].w - _e302) * _e306);
+                                        let _e1257 = ((_e1232.member[1].x - _e369) * _e374);
+                                        let _e1258 = ((_e1232.member[1].y - _e369) * _e374);
+                                        let _e1259 = ((_e1232.member[1].z - _e370) * _e374);
+                                        let _e1260 = ((_e1232.member[1].w - _e370) * _e374);
+                                        let _e1270 = ((_e1232.member[2].x - _e437) * _e442);
+                                        let _e1271 = ((_e1232.member[2].y - _e437) * _e442);
+                                        let _e1272 = ((_e1232.member[2].z - _e438) * _e442);
+                                        let _e1273 = ((_e1232.member[2].w - _e438) * _e442);
+                                        let _e1275 = select(_e1272, _e1270, (_e1270 < _e1272));
+                                        let _e1277 = select(_e1273, _e1271, (_e1271 < _e1273));
+                                        let _e1279 = select(_e1272, _e1270, (_e1270 > _e1272));
+                                        let _e1281 = select(_e1273, _e1271, (_e1271 > _e1273));
+                                        let _e1283 = select(_e1246, _e1244, (_e1244 < _e1246));
+                                        let _e1285 = select(_e1247, _e1245, (_e1245 < _e1247));
+                                        let _e1287 = select(_e1259, _e1257, (_e1257 < _e1259));
+                                        let _e1289 = select(_e1260, _e1258, (_e1258 < _e1260));
+                                        let _e1291 = select(_e1287, _e1283, (_e1283 > _e1287));
+                                        let _e1293 = select(_e1289, _e1285, (_e1285 > _e1289));
+                                        let _e1295 = select(_e1275, _e1291, (_e1291 > _e1275));
+                                        let _e1297 = select(_e1277, _e1293, (_e1293 > _e1277));
+                                        let _e1299 = select(_e1246, _e1244, (_e1244 > _e1246));
+                                        let _e1301 = select(_e1247, _e1245, (_e1245 > _e1247));
+                                        let _e1303 = select(_e1259, _e1257, (_e1257 > _e1259));
+                                        let _e1305 = select(_e1260, _e1258, (_e1258 > _e1260));
+                                        let _e1307 = select(_e1303, _e1299, (_e1299 < _e1303));
+                                        let _e1309 = select(_e1305, _e1301, (_e1301 < _e1305));
+                                        let _e1314 = -(_e1275);
+                                        let _e1315 = -(_e1277);
+                                        let _e1322 = (select(_e1279, _e1307, (_e1307 < _e1279)) + (select(_e1314, _e1279, (_e1279 > _e1314)) * 0.0000019073523f));
+                                        let _e1323 = (select(_e1281, _e1309, (_e1309 < _e1281)) + (select(_e1315, _e1281, (_e1281 > _e1315)) * 0.0000019073523f));
+                                        let _e1325 = select(_e554, _e1295, (_e1295 > _e554));
+                                        let _e1327 = select(_e554, _e1297, (_e1297 > _e554));
+                                        let _e1332 = (_e1325 <= select(_e1182.member, _e1322, (_e1322 < _e1182.member)));
+                                        let _e1333 = (_e1327 <= select(_e1182.member, _e1323, (_e1323 < _e1182.member)));
+                                        let _e1334 = (_e1325 <= _e1327);
+                                        if _e1332 {
+                                            if _e1333 {
+                                                if _e1334 {
+                                                    phi_2436_ = _e1232.member_2;
                                                 } else {
-                                                    phi_2442_ = _e648.member_1;
+                                                    phi_2436_ = _e1232.member_1;
                                                 }
-                                                let _e754 = phi_2442_;
-                                                let _e757 = (_e589 % 128u);
-                                                let _e758 = (_e757 < 128u);
-                                                if _e758 {
+                                                let _e1338 = phi_2436_;
+                                                let _e1340 = (_e589 % 128u);
+                                                let _e1341 = (_e1340 < 128u);
+                                                if _e1341 {
                                                 } else {
-                                                    phi_2694_ = true;
+                                                    phi_2697_ = true;
                                                     break;
                                                 }
-                                                local_1[_e757] = _e754;
-                                                if _e758 {
+                                                local_1[_e1340] = _e1338;
+                                                if _e1341 {
                                                 } else {
-                                                    phi_2694_ = true;
+                                                    phi_2697_ = true;
                                                     break;
                                                 }
-                                                local[_e757] = select(_e743, _e741, !(_e750));
-                                                if _e750 {
-                                                    phi_2470_ = _e648.member_1;
+                                                local[_e1340] = select(_e1325, _e1327, _e1334);
+                                                if _e1334 {
+                                                    phi_2463_ = _e1232.member_1;
                                                 } else {
-                                                    phi_2470_ = _e648.member_2;
+                                                    phi_2463_ = _e1232.member_2;
                                                 }
-                                                let _e765 = phi_2470_;
-                                                phi_2471_ = (_e589 + 1u);
-                                                phi_2472_ = _e765;
+                                                let _e1348 = phi_2463_;
+                                                phi_2464_ = (_e589 + 1u);
+                                                phi_2465_ = _e1348;
                                             } else {
-                                                phi_2471_ = u32();
-                                                phi_2472_ = u32();
+                                                phi_2464_ = u32();
+                                                phi_2465_ = u32();
                                             }
-                                            let _e767 = phi_2471_;
-                                            let _e769 = phi_2472_;
-                                            phi_2474_ = _e767;
-                                            phi_2475_ = _e769;
-                                            phi_2476_ = select(true, false, _e749);
+                                            let _e1350 = phi_2464_;
+                                            let _e1352 = phi_2465_;
+                                            phi_2467_ = _e1350;
+                                            phi_2468_ = _e1352;
+                                            phi_2469_ = select(true, false, _e1333);
                                         } else {
-                                            phi_2474_ = u32();
-                                            phi_2475_ = u32();
-                                            phi_2476_ = true;
+                                            phi_2467_ = u32();
+                                            phi_2468_ = u32();
+                                            phi_2469_ = true;
                                         }
-                                        let _e772 = phi_2474_;
-                                        let _e774 = phi_2475_;
-                                        let _e776 = phi_2476_;
-                                        if _e776 {
-                                            if _e748 {
-                                                phi_2485_ = _e648.member_1;
+                                        let _e1355 = phi_2467_;
+                                        let _e1357 = phi_2468_;
+                                        let _e1359 = phi_2469_;
+                                        if _e1359 {
+                                            if _e1332 {
+                                                phi_2478_ = _e1232.member_1;
                                             } else {
-                                                phi_2485_ = _e648.member_2;
+                                                phi_2478_ = _e1232.member_2;
                                             }
-                                            let _e780 = phi_2485_;
-                                            phi_2490_ = select(_e749, true, _e748);
-                                            phi_2492_ = _e780;
+                                            let _e1363 = phi_2478_;
+                                            phi_2483_ = select(_e1333, true, _e1332);
+                                            phi_2485_ = _e1363;
                                         } else {
-                                            phi_2490_ = _e587;
-                                            phi_2492_ = _e774;
+                                            phi_2483_ = _e587;
+                                            phi_2485_ = _e1357;
                                         }
-                                        let _e783 = phi_2490_;
-                                        let _e785 = phi_2492_;
-                                        phi_2698_ = _e562;
-                                        phi_2496_ = _e564;
-                                        phi_2497_ = _e783;
-                                        phi_2498_ = select(_e772, _e589, _e776);
-                                        phi_2499_ = _e785;
+                                        let _e1366 = phi_2483_;
+                                        let _e1368 = phi_2485_;
+                                        phi_2489_ = _e1366;
+                                        phi_2490_ = select(_e1355, _e589, _e1359);
+                                        phi_2491_ = _e1368;
                                     }
-                                    let _e1372 = phi_2698_;
-                                    let _e1374 = phi_2496_;
-                                    let _e1376 = phi_2497_;
-                                    let _e1378 = phi_2498_;
-                                    let _e1380 = phi_2499_;
-                                    phi_2697_ = _e1372;
-                                    phi_2500_ = _e1374;
-                                    phi_2501_ = _e1376;
-                                    phi_2502_ = (_e568 - 1u);
-                                    phi_2503_ = _e1378;
-                                    phi_2504_ = _e1380;
+                                    let _e1371 = phi_2489_;
+                                    let _e1373 = phi_2490_;
+                                    let _e1375 = phi_2491_;
+                                    if _e594 {
+                                        phi_2501_ = select(_e589, 0u, _e1182.member_1);
+                                    } else {
+                                        phi_2501_ = _e1373;
+                                    }
+                                    let _e1379 = phi_2501_;
+                                    phi_2700_ = _e1180;
+                                    phi_2503_ = _e1182;
+                                    phi_2504_ = (_e566 - 1u);
+                                    phi_2505_ = select(_e1371, false, _e594);
+                                    phi_2506_ = _e1379;
+                                    phi_2507_ = select(_e1375, _e591, _e594);
                                 } else {
-                                    phi_2697_ = _e562;
-                                    phi_2500_ = _e564;
-                                    phi_2501_ = _e587;
-                                    phi_2502_ = _e568;
-                                    phi_2503_ = _e589;
-                                    phi_2504_ = _e591;
+                                    phi_2700_ = _e562;
+                                    phi_2503_ = _e564;
+                                    phi_2504_ = _e566;
+                                    phi_2505_ = _e587;
+                                    phi_2506_ = _e589;
+                                    phi_2507_ = _e591;
                                 }
-                                let _e1382 = phi_2697_;
-                                let _e1384 = phi_2500_;
-                                let _e1386 = phi_2501_;
-                                let _e1388 = phi_2502_;
-                                let _e1390 = phi_2503_;
-                                let _e1392 = phi_2504_;
-                                phi_2696_ = _e1382;
-                                phi_2505_ = _e1384;
-                                phi_2506_ = _e1386;
-                                phi_2507_ = _e1388;
-                                phi_2508_ = _e1390;
-                                phi_2509_ = _e1392;
+                                let _e1383 = phi_2700_;
+                                let _e1385 = phi_2503_;
+                                let _e1387 = phi_2504_;
+                                let _e1389 = phi_2505_;
+                                let _e1391 = phi_2506_;
+                                let _e1393 = phi_2507_;
+                                phi_2699_ = _e1383;
+                                phi_2508_ = _e1385;
+                                phi_2509_ = _e1387;
+                                phi_2510_ = _e1389;
+                                phi_2511_ = _e1391;
+                                phi_2512_ = _e1393;
                             } else {
-                                phi_2696_ = _e562;
-                                phi_2505_ = type_46();
-                                phi_2506_ = bool();
-                                phi_2507_ = u32();
-                                phi_2508_ = u32();
+                                phi_2699_ = _e562;
+                                phi_2508_ = type_46();
                                 phi_2509_ = u32();
+                                phi_2510_ = bool();
+                                phi_2511_ = u32();
+                                phi_2512_ = u32();
                             }
-                            let _e1394 = phi_2696_;
-                            let _e1396 = phi_2505_;
-                            let _e1398 = phi_2506_;
-                            let _e1400 = phi_2507_;
-                            let _e1402 = phi_2508_;
-                            let _e1404 = phi_2509_;
-                            phi_2695_ = _e1394;
-                            phi_890_ = _e1396;
-                            phi_893_ = _e1398;
-                            phi_895_ = _e1400;
-                            phi_897_ = _e1402;
-                            phi_899_ = _e1404;
-                            phi_2510_ = _e576;
+                            let _e1395 = phi_2699_;
+                            let _e1397 = phi_2508_;
+                            let _e1399 = phi_2509_;
+                            let _e1401 = phi_2510_;
+                            let _e1403 = phi_2511_;
+                            let _e1405 = phi_2512_;
+                            phi_2698_ = _e1395;
+                            phi_890_ = _e1397;
+                            phi_893_ = _e1399;
+                            phi_895_ = _e1401;
+                            phi_897_ = _e1403;
+                            phi_899_ = _e1405;
+                            phi_2513_ = _e576;
                         } else {
-                            phi_2695_ = _e562;
+                            phi_2698_ = _e562;
                             phi_890_ = type_46();
-                            phi_893_ = bool();
-                            phi_895_ = u32();
+                            phi_893_ = u32();
+                            phi_895_ = bool();
                             phi_897_ = u32();
                             phi_899_ = u32();
-                            phi_2510_ = false;
+                            phi_2513_ = false;
                         }
-                        let _e1406 = phi_2695_;
-                        let _e1408 = phi_890_;
-                        let _e1410 = phi_893_;
-                        let _e1412 = phi_895_;
-                        let _e1414 = phi_897_;
-                        let _e1416 = phi_899_;
-                        let _e1418 = phi_2510_;
+                        let _e1407 = phi_2698_;
+                        let _e1409 = phi_890_;
+                        let _e1411 = phi_893_;
+                        let _e1413 = phi_895_;
+                        let _e1415 = phi_897_;
+                        let _e1417 = phi_899_;
+                        let _e1419 = phi_2513_;
                         continue;
                         continuing {
-                            phi_2543_ = _e1406;
-                            phi_889_ = _e1408;
-                            phi_892_ = _e1410;
-                            phi_894_ = _e1412;
-                            phi_896_ = _e1414;
-                            phi_898_ = _e1416;
-                            phi_2694_ = _e1406;
-                            break if !(_e1418);
+                            phi_2546_ = _e1407;
+                            phi_889_ = _e1409;
+                            phi_892_ = _e1411;
+                            phi_894_ = _e1413;
+                            phi_896_ = _e1415;
+                            phi_898_ = _e1417;
+                            phi_2697_ = _e1407;
+                            break if !(_e1419);
                         }
                     }
-                    let _e1421 = phi_2694_;
-                    if _e1421 {
+                    let _e1422 = phi_2697_;
+                    if _e1422 {
                         break;
                     }
-                    let _e1423 = local_3;
+                    let _e1424 = local_2;
                     if _e87 {
                     } else {
                         break;
                     }
-                    global_5.member[_e81] = select(0u, 1u, _e1423.member_1);
+                    global_5.member[_e81] = select(0u, 1u, _e1424.member_1);
                 }
             }
             break;

@@ -128,27 +128,16 @@ fn function_() {
     var phi_924_: u32;
     var phi_932_: f32;
     var phi_933_: f32;
-    var phi_3279_: bool;
+    var phi_3282_: bool;
     var phi_1016_: type_37;
-    var phi_1019_: bool;
-    var phi_1021_: u32;
+    var phi_1019_: u32;
+    var phi_1021_: bool;
     var phi_1023_: u32;
     var phi_1025_: type_48;
     var phi_1036_: bool;
     var phi_1122_: bool;
     var phi_1123_: u32;
     var phi_1124_: type_48;
-    var phi_2220_: type_41;
-    var phi_3106_: type_48;
-    var phi_3183_: type_48;
-    var phi_3184_: u32;
-    var phi_3185_: type_48;
-    var phi_3187_: u32;
-    var phi_3188_: type_48;
-    var phi_3189_: bool;
-    var phi_3196_: type_48;
-    var phi_3201_: bool;
-    var phi_3203_: type_48;
     var phi_1142_: type_37;
     var phi_1145_: type_7;
     var phi_1146_: type_7;
@@ -193,35 +182,47 @@ fn function_() {
     var phi_2191_: type_37;
     var phi_2192_: type_37;
     var phi_1143_: type_37;
-    var phi_3273_: bool;
-    var local_10: type_37;
+    var phi_3276_: bool;
+    var phi_3492_: bool;
+    var phi_2193_: type_37;
+    var phi_2214_: type_41;
+    var phi_3100_: type_48;
+    var phi_3176_: type_48;
+    var phi_3177_: u32;
+    var phi_3178_: type_48;
+    var phi_3180_: u32;
+    var phi_3181_: type_48;
+    var phi_3182_: bool;
+    var phi_3189_: type_48;
+    var phi_3194_: bool;
+    var phi_3196_: type_48;
+    var phi_3200_: bool;
+    var phi_3201_: u32;
+    var phi_3202_: type_48;
+    var phi_3212_: u32;
+    var phi_3213_: type_48;
+    var phi_3436_: bool;
+    var phi_3214_: type_37;
+    var phi_3215_: u32;
+    var phi_3216_: bool;
+    var phi_3217_: u32;
+    var phi_3218_: type_48;
+    var phi_3435_: bool;
+    var phi_3219_: type_37;
+    var phi_3220_: u32;
+    var phi_3221_: bool;
+    var phi_3222_: u32;
+    var phi_3223_: type_48;
     var phi_3434_: bool;
-    var phi_3207_: type_37;
-    var phi_3208_: bool;
-    var phi_3209_: u32;
-    var phi_3210_: type_48;
-    var phi_3433_: bool;
-    var phi_3211_: type_37;
-    var phi_3212_: bool;
-    var phi_3213_: u32;
-    var phi_3214_: u32;
-    var phi_3215_: type_48;
-    var phi_3432_: bool;
-    var phi_3216_: type_37;
-    var phi_3217_: bool;
-    var phi_3218_: u32;
-    var phi_3219_: u32;
-    var phi_3220_: type_48;
-    var phi_3431_: bool;
     var phi_1017_: type_37;
-    var phi_1020_: bool;
-    var phi_1022_: u32;
+    var phi_1020_: u32;
+    var phi_1022_: bool;
     var phi_1024_: u32;
     var phi_1026_: type_48;
-    var phi_3221_: bool;
-    var phi_3430_: bool;
+    var phi_3224_: bool;
+    var phi_3433_: bool;
+    var local_10: type_37;
     var local_11: type_37;
-    var local_12: type_37;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -584,31 +585,31 @@ fn function_() {
                         break;
                     }
                     let _e625 = local_8[_e614];
-                    phi_3279_ = false;
+                    phi_3282_ = false;
                     phi_1016_ = type_37(_e599, false);
-                    phi_1019_ = (_e601 <= _e599);
-                    phi_1021_ = ((3u * _e84) + 1u);
+                    phi_1019_ = ((3u * _e84) + 1u);
+                    phi_1021_ = (_e601 <= _e599);
                     phi_1023_ = 0u;
                     phi_1025_ = type_48(type_46(array<f32, 3>(_e609, _e613, _e617), array<f32, 3>(_e621, _e623, _e625)), select(0u, 2147483648u, (_e84 == 0u)));
                     loop {
-                        let _e633 = phi_3279_;
+                        let _e633 = phi_3282_;
                         let _e635 = phi_1016_;
                         let _e637 = phi_1019_;
                         let _e639 = phi_1021_;
                         let _e641 = phi_1023_;
                         let _e643 = phi_1025_;
-                        local_11 = _e635;
-                        if _e637 {
+                        local_10 = _e635;
+                        if _e639 {
                             phi_1036_ = true;
                         } else {
                             phi_1036_ = (_e641 > 0u);
                         }
                         let _e646 = phi_1036_;
                         if _e646 {
-                            let _e647 = (_e639 > 0u);
+                            let _e647 = (_e637 > 0u);
                             if _e647 {
-                                if _e637 {
-                                    phi_1122_ = _e637;
+                                if _e639 {
+                                    phi_1122_ = _e639;
                                     phi_1123_ = _e641;
                                     phi_1124_ = _e643;
                                 } else {
@@ -617,49 +618,49 @@ fn function_() {
                                     let _e650 = (_e649 < 128u);
                                     if _e650 {
                                     } else {
-                                        phi_3430_ = true;
+                                        phi_3433_ = true;
                                         break;
                                     }
                                     let _e652 = local_6[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3430_ = true;
+                                        phi_3433_ = true;
                                         break;
                                     }
                                     let _e654 = local_5[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3430_ = true;
+                                        phi_3433_ = true;
                                         break;
                                     }
                                     let _e656 = local_4[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3430_ = true;
+                                        phi_3433_ = true;
                                         break;
                                     }
                                     let _e658 = local_3[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3430_ = true;
+                                        phi_3433_ = true;
                                         break;
                                     }
                                     let _e661 = local_2[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3430_ = true;
+                                        phi_3433_ = true;
                                         break;
                                     }
                                     let _e663 = local_1[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3430_ = true;
+                                        phi_3433_ = true;
                                         break;
                                     }
                                     let _e665 = local[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3430_ = true;
+                                        phi_3433_ = true;
                                         break;
                                     }
                                     let _e670 = local_7[_e649];
@@ -671,724 +672,735 @@ fn function_() {
                                 let _e676 = phi_1123_;
                                 let _e678 = phi_1124_;
                                 if _e674 {
-                                    if ((_e678.member_1 & 2147483648u) != 0u) {
+                                    let _e682 = ((_e678.member_1 & 2147483648u) != 0u);
+                                    if _e682 {
                                         phi_1142_ = _e635;
                                         phi_1145_ = type_7(0u, ((_e678.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1054 = phi_1142_;
-                                            let _e1056 = phi_1145_;
-                                            local_10 = _e1054;
-                                            local_12 = _e1054;
-                                            if (_e1056.member < _e1056.member_1) {
-                                                phi_1146_ = type_7((_e1056.member + 1u), _e1056.member_1);
-                                                phi_1168_ = type_7(1u, _e1056.member);
+                                            let _e689 = phi_1142_;
+                                            let _e691 = phi_1145_;
+                                            local_11 = _e689;
+                                            if (_e691.member < _e691.member_1) {
+                                                phi_1146_ = type_7((_e691.member + 1u), _e691.member_1);
+                                                phi_1168_ = type_7(1u, _e691.member);
                                             } else {
-                                                phi_1146_ = _e1056;
+                                                phi_1146_ = _e691;
                                                 phi_1168_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1069 = phi_1146_;
-                                            let _e1071 = phi_1168_;
-                                            let _e1075 = (bitcast<i32>(_e1071.member) != 0i);
-                                            if _e1075 {
-                                                let _e1076 = ((_e678.member_1 & 268435455u) + _e1071.member_1);
-                                                let _e1077 = (_e1076 < _e86);
-                                                if _e1077 {
-                                                    if _e1077 {
+                                            let _e704 = phi_1146_;
+                                            let _e706 = phi_1168_;
+                                            let _e710 = (bitcast<i32>(_e706.member) != 0i);
+                                            if _e710 {
+                                                let _e711 = ((_e678.member_1 & 268435455u) + _e706.member_1);
+                                                let _e712 = (_e711 < _e86);
+                                                if _e712 {
+                                                    if _e712 {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
-                                                    let _e1081 = global_2.member[_e1076].member_1;
-                                                    phi_1189_ = _e1081;
+                                                    let _e716 = global_2.member[_e711].member_1;
+                                                    phi_1189_ = _e716;
                                                 } else {
                                                     phi_1189_ = 4294967295u;
                                                 }
-                                                let _e1083 = phi_1189_;
-                                                if (_e1076 >= _e86) {
+                                                let _e718 = phi_1189_;
+                                                if (_e711 >= _e86) {
                                                     phi_1281_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1077 {
+                                                    if _e712 {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
                                                     if (_e606 < 9u) {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
-                                                    let _e1090 = global_2.member[_e1076].member[_e606];
+                                                    let _e725 = global_2.member[_e711].member[_e606];
                                                     if (_e610 < 9u) {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
-                                                    let _e1096 = global_2.member[_e1076].member[_e610];
+                                                    let _e731 = global_2.member[_e711].member[_e610];
                                                     if (_e614 < 9u) {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
-                                                    let _e1102 = global_2.member[_e1076].member[_e614];
-                                                    let _e1104 = (3u + _e606);
-                                                    if (_e1104 < 9u) {
+                                                    let _e737 = global_2.member[_e711].member[_e614];
+                                                    let _e739 = (3u + _e606);
+                                                    if (_e739 < 9u) {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
-                                                    let _e1110 = global_2.member[_e1076].member[_e1104];
-                                                    let _e1111 = (3u + _e610);
-                                                    if (_e1111 < 9u) {
+                                                    let _e745 = global_2.member[_e711].member[_e739];
+                                                    let _e746 = (3u + _e610);
+                                                    if (_e746 < 9u) {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
-                                                    let _e1117 = global_2.member[_e1076].member[_e1111];
-                                                    let _e1118 = (3u + _e614);
-                                                    if (_e1118 < 9u) {
+                                                    let _e752 = global_2.member[_e711].member[_e746];
+                                                    let _e753 = (3u + _e614);
+                                                    if (_e753 < 9u) {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
-                                                    let _e1124 = global_2.member[_e1076].member[_e1118];
-                                                    let _e1126 = (6u + _e606);
-                                                    if (_e1126 < 9u) {
+                                                    let _e759 = global_2.member[_e711].member[_e753];
+                                                    let _e761 = (6u + _e606);
+                                                    if (_e761 < 9u) {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
-                                                    let _e1132 = global_2.member[_e1076].member[_e1126];
-                                                    let _e1133 = (6u + _e610);
-                                                    if (_e1133 < 9u) {
+                                                    let _e767 = global_2.member[_e711].member[_e761];
+                                                    let _e768 = (6u + _e610);
+                                                    if (_e768 < 9u) {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
-                                                    let _e1139 = global_2.member[_e1076].member[_e1133];
-                                                    let _e1140 = (6u + _e614);
-                                                    if (_e1140 < 9u) {
+                                                    let _e774 = global_2.member[_e711].member[_e768];
+                                                    let _e775 = (6u + _e614);
+                                                    if (_e775 < 9u) {
                                                     } else {
-                                                        phi_3273_ = true;
+                                                        phi_3276_ = true;
                                                         break;
                                                     }
-                                                    let _e1146 = global_2.member[_e1076].member[_e1140];
-                                                    phi_1281_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1090, _e1096, _e1102), array<f32, 3>(_e1110, _e1117, _e1124), array<f32, 3>(_e1132, _e1139, _e1146));
+                                                    let _e781 = global_2.member[_e711].member[_e775];
+                                                    phi_1281_ = array<array<f32, 3>, 3>(array<f32, 3>(_e725, _e731, _e737), array<f32, 3>(_e745, _e752, _e759), array<f32, 3>(_e767, _e774, _e781));
                                                 }
-                                                let _e1150 = phi_1281_;
-                                                let _e1158 = (_e1150[0][2] - _e447);
-                                                let _e1161 = (((_e1150[0][0] - _e310) * _e486) - (_e1158 * _e350));
-                                                let _e1164 = (((_e1150[0][1] - _e379) * _e486) - (_e1158 * _e418));
-                                                let _e1171 = (_e1150[1][2] - _e447);
-                                                let _e1174 = (((_e1150[1][0] - _e310) * _e486) - (_e1171 * _e350));
-                                                let _e1177 = (((_e1150[1][1] - _e379) * _e486) - (_e1171 * _e418));
-                                                let _e1184 = (_e1150[2][2] - _e447);
-                                                let _e1187 = (((_e1150[2][0] - _e310) * _e486) - (_e1184 * _e350));
-                                                let _e1190 = (((_e1150[2][1] - _e379) * _e486) - (_e1184 * _e418));
-                                                let _e1191 = (_e1187 * _e1177);
-                                                let _e1192 = (_e1190 * _e1174);
-                                                let _e1193 = (_e1161 * _e1190);
-                                                let _e1194 = (_e1164 * _e1187);
-                                                let _e1195 = (_e1174 * _e1164);
-                                                let _e1196 = (_e1177 * _e1161);
-                                                let _e1201 = (((_e1191 >= _e1192) && (_e1193 >= _e1194)) && (_e1195 >= _e1196));
-                                                if (_e1201 || (((_e1191 <= _e1192) && (_e1193 <= _e1194)) && (_e1195 <= _e1196))) {
-                                                    let _e1208 = select(-1f, 1f, _e1201);
-                                                    let _e1210 = ((_e1191 - _e1192) * _e1208);
-                                                    let _e1212 = select(0f, _e1210, (_e1210 > 0f));
-                                                    let _e1214 = ((_e1193 - _e1194) * _e1208);
-                                                    let _e1216 = select(0f, _e1214, (_e1214 > 0f));
-                                                    let _e1218 = ((_e1195 - _e1196) * _e1208);
-                                                    let _e1220 = select(0f, _e1218, (_e1218 > 0f));
-                                                    let _e1222 = ((_e1212 + _e1216) + _e1220);
-                                                    if (_e1222 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e785 = phi_1281_;
+                                                let _e793 = (_e785[0][2] - _e447);
+                                                let _e796 = (((_e785[0][0] - _e310) * _e486) - (_e793 * _e350));
+                                                let _e799 = (((_e785[0][1] - _e379) * _e486) - (_e793 * _e418));
+                                                let _e806 = (_e785[1][2] - _e447);
+                                                let _e809 = (((_e785[1][0] - _e310) * _e486) - (_e806 * _e350));
+                                                let _e812 = (((_e785[1][1] - _e379) * _e486) - (_e806 * _e418));
+                                                let _e819 = (_e785[2][2] - _e447);
+                                                let _e822 = (((_e785[2][0] - _e310) * _e486) - (_e819 * _e350));
+                                                let _e825 = (((_e785[2][1] - _e379) * _e486) - (_e819 * _e418));
+                                                let _e826 = (_e822 * _e812);
+                                                let _e827 = (_e825 * _e809);
+                                                let _e828 = (_e796 * _e825);
+                                                let _e829 = (_e799 * _e822);
+                                                let _e830 = (_e809 * _e799);
+                                                let _e831 = (_e812 * _e796);
+                                                let _e836 = (((_e826 >= _e827) && (_e828 >= _e829)) && (_e830 >= _e831));
+                                                if (_e836 || (((_e826 <= _e827) && (_e828 <= _e829)) && (_e830 <= _e831))) {
+                                                    let _e843 = select(-1f, 1f, _e836);
+                                                    let _e845 = ((_e826 - _e827) * _e843);
+                                                    let _e847 = select(0f, _e845, (_e845 > 0f));
+                                                    let _e849 = ((_e828 - _e829) * _e843);
+                                                    let _e851 = select(0f, _e849, (_e849 > 0f));
+                                                    let _e853 = ((_e830 - _e831) * _e843);
+                                                    let _e855 = select(0f, _e853, (_e853 > 0f));
+                                                    let _e857 = ((_e847 + _e851) + _e855);
+                                                    if (_e857 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2165_ = type_25();
                                                         phi_2166_ = true;
                                                         phi_2167_ = false;
                                                     } else {
-                                                        let _e1225 = select(_e1174, _e1161, (_e1161 < _e1174));
-                                                        if (select(_e1187, _e1225, (_e1225 < _e1187)) > 0f) {
+                                                        let _e860 = select(_e809, _e796, (_e796 < _e809));
+                                                        if (select(_e822, _e860, (_e860 < _e822)) > 0f) {
                                                             phi_1433_ = true;
                                                         } else {
-                                                            let _e1230 = select(_e1174, _e1161, (_e1161 > _e1174));
-                                                            phi_1433_ = (select(_e1187, _e1230, (_e1230 > _e1187)) < 0f);
+                                                            let _e865 = select(_e809, _e796, (_e796 > _e809));
+                                                            phi_1433_ = (select(_e822, _e865, (_e865 > _e822)) < 0f);
                                                         }
-                                                        let _e1235 = phi_1433_;
-                                                        if _e1235 {
+                                                        let _e870 = phi_1433_;
+                                                        if _e870 {
                                                             phi_2162_ = type_25();
                                                             phi_2163_ = true;
                                                             phi_2164_ = false;
                                                         } else {
-                                                            let _e1237 = select(_e1177, _e1164, (_e1164 < _e1177));
-                                                            if (select(_e1190, _e1237, (_e1237 < _e1190)) > 0f) {
+                                                            let _e872 = select(_e812, _e799, (_e799 < _e812));
+                                                            if (select(_e825, _e872, (_e872 < _e825)) > 0f) {
                                                                 phi_1462_ = true;
                                                             } else {
-                                                                let _e1242 = select(_e1177, _e1164, (_e1164 > _e1177));
-                                                                phi_1462_ = (select(_e1190, _e1242, (_e1242 > _e1190)) < 0f);
+                                                                let _e877 = select(_e812, _e799, (_e799 > _e812));
+                                                                phi_1462_ = (select(_e825, _e877, (_e877 > _e825)) < 0f);
                                                             }
-                                                            let _e1247 = phi_1462_;
-                                                            if _e1247 {
+                                                            let _e882 = phi_1462_;
+                                                            if _e882 {
                                                                 phi_2160_ = type_25();
                                                                 phi_2161_ = false;
                                                             } else {
-                                                                let _e1249 = select(_e1150[1][0], _e1150[0][0], (_e1150[0][0] < _e1150[1][0]));
-                                                                let _e1253 = select(_e1150[1][0], _e1150[0][0], (_e1150[0][0] > _e1150[1][0]));
-                                                                let _e1257 = select(_e1150[1][1], _e1150[0][1], (_e1150[0][1] < _e1150[1][1]));
-                                                                let _e1261 = select(_e1150[1][1], _e1150[0][1], (_e1150[0][1] > _e1150[1][1]));
-                                                                let _e1265 = select(_e1150[1][2], _e1150[0][2], (_e1150[0][2] < _e1150[1][2]));
-                                                                let _e1269 = select(_e1150[1][2], _e1150[0][2], (_e1150[0][2] > _e1150[1][2]));
-                                                                let _e1274 = ((select(_e1150[2][0], _e1249, (_e1249 < _e1150[2][0])) - _e348) * _e353);
-                                                                let _e1275 = ((select(_e1150[2][0], _e1253, (_e1253 > _e1150[2][0])) - _e349) * _e353);
-                                                                let _e1278 = ((select(_e1150[2][1], _e1257, (_e1257 < _e1150[2][1])) - _e416) * _e421);
-                                                                let _e1279 = ((select(_e1150[2][1], _e1261, (_e1261 > _e1150[2][1])) - _e417) * _e421);
-                                                                let _e1282 = ((select(_e1150[2][2], _e1265, (_e1265 < _e1150[2][2])) - _e484) * _e489);
-                                                                let _e1283 = ((select(_e1150[2][2], _e1269, (_e1269 > _e1150[2][2])) - _e485) * _e489);
-                                                                let _e1285 = select(_e1283, _e1282, (_e1282 < _e1283));
-                                                                let _e1287 = select(_e1283, _e1282, (_e1282 > _e1283));
-                                                                let _e1289 = select(_e1275, _e1274, (_e1274 < _e1275));
-                                                                let _e1291 = select(_e1279, _e1278, (_e1278 < _e1279));
-                                                                let _e1293 = select(_e1291, _e1289, (_e1289 > _e1291));
-                                                                let _e1295 = select(_e1285, _e1293, (_e1293 > _e1285));
-                                                                let _e1297 = select(_e1275, _e1274, (_e1274 > _e1275));
-                                                                let _e1299 = select(_e1279, _e1278, (_e1278 > _e1279));
-                                                                let _e1301 = select(_e1299, _e1297, (_e1297 < _e1299));
-                                                                let _e1303 = select(_e1287, _e1301, (_e1301 < _e1287));
-                                                                let _e1304 = -(_e1285);
-                                                                let _e1310 = select(_e601, _e1295, (_e1295 > _e601));
-                                                                if (_e1310 > (_e1303 + (select(_e1304, _e1287, (_e1287 > _e1304)) * 0.0000019073523f))) {
+                                                                let _e884 = select(_e785[1][0], _e785[0][0], (_e785[0][0] < _e785[1][0]));
+                                                                let _e888 = select(_e785[1][0], _e785[0][0], (_e785[0][0] > _e785[1][0]));
+                                                                let _e892 = select(_e785[1][1], _e785[0][1], (_e785[0][1] < _e785[1][1]));
+                                                                let _e896 = select(_e785[1][1], _e785[0][1], (_e785[0][1] > _e785[1][1]));
+                                                                let _e900 = select(_e785[1][2], _e785[0][2], (_e785[0][2] < _e785[1][2]));
+                                                                let _e904 = select(_e785[1][2], _e785[0][2], (_e785[0][2] > _e785[1][2]));
+                                                                let _e909 = ((select(_e785[2][0], _e884, (_e884 < _e785[2][0])) - _e348) * _e353);
+                                                                let _e910 = ((select(_e785[2][0], _e888, (_e888 > _e785[2][0])) - _e349) * _e353);
+                                                                let _e913 = ((select(_e785[2][1], _e892, (_e892 < _e785[2][1])) - _e416) * _e421);
+                                                                let _e914 = ((select(_e785[2][1], _e896, (_e896 > _e785[2][1])) - _e417) * _e421);
+                                                                let _e917 = ((select(_e785[2][2], _e900, (_e900 < _e785[2][2])) - _e484) * _e489);
+                                                                let _e918 = ((select(_e785[2][2], _e904, (_e904 > _e785[2][2])) - _e485) * _e489);
+                                                                let _e920 = select(_e918, _e917, (_e917 < _e918));
+                                                                let _e922 = select(_e918, _e917, (_e917 > _e918));
+                                                                let _e924 = select(_e910, _e909, (_e909 < _e910));
+                                                                let _e926 = select(_e914, _e913, (_e913 < _e914));
+                                                                let _e928 = select(_e926, _e924, (_e924 > _e926));
+                                                                let _e930 = select(_e920, _e928, (_e928 > _e920));
+                                                                let _e932 = select(_e910, _e909, (_e909 > _e910));
+                                                                let _e934 = select(_e914, _e913, (_e913 > _e914));
+                                                                let _e936 = select(_e934, _e932, (_e932 < _e934));
+                                                                let _e938 = select(_e922, _e936, (_e936 < _e922));
+                                                                let _e939 = -(_e920);
+                                                                let _e945 = select(_e601, _e930, (_e930 > _e601));
+                                                                if (_e945 > (_e938 + (select(_e939, _e922, (_e922 > _e939)) * 0.0000019073523f))) {
                                                                     phi_2155_ = type_25();
                                                                     phi_2156_ = true;
                                                                 } else {
-                                                                    let _e1312 = (_e1310 > _e1054.member);
-                                                                    if _e1312 {
+                                                                    let _e947 = (_e945 > _e689.member);
+                                                                    if _e947 {
                                                                         phi_2154_ = type_25();
                                                                     } else {
-                                                                        let _e1313 = vec3<f32>(_e1150[0][0], _e1150[0][1], _e1150[0][2]);
-                                                                        let _e1314 = vec3<f32>(_e1150[1][0], _e1150[1][1], _e1150[1][2]);
-                                                                        let _e1315 = vec3<f32>(_e1150[2][0], _e1150[2][1], _e1150[2][2]);
-                                                                        let _e1316 = (_e1150[1][0] - _e1150[0][0]);
-                                                                        let _e1317 = (_e1150[1][1] - _e1150[0][1]);
-                                                                        let _e1318 = (_e1150[1][2] - _e1150[0][2]);
-                                                                        let _e1319 = vec3<f32>(_e1316, _e1317, _e1318);
-                                                                        let _e1320 = (_e1150[2][0] - _e1150[1][0]);
-                                                                        let _e1321 = (_e1150[2][1] - _e1150[1][1]);
-                                                                        let _e1322 = (_e1150[2][2] - _e1150[1][2]);
-                                                                        let _e1323 = vec3<f32>(_e1320, _e1321, _e1322);
-                                                                        let _e1324 = (_e1150[0][0] - _e1150[2][0]);
-                                                                        let _e1325 = (_e1150[0][1] - _e1150[2][1]);
-                                                                        let _e1326 = (_e1150[0][2] - _e1150[2][2]);
-                                                                        let _e1327 = vec3<f32>(_e1324, _e1325, _e1326);
-                                                                        let _e1330 = bitcast<f32>((bitcast<u32>(_e1316) & 2147483647u));
-                                                                        let _e1333 = bitcast<f32>((bitcast<u32>(_e1317) & 2147483647u));
-                                                                        let _e1335 = select(_e1333, _e1330, (_e1330 > _e1333));
-                                                                        let _e1338 = bitcast<f32>((bitcast<u32>(_e1318) & 2147483647u));
-                                                                        let _e1340 = select(_e1338, _e1335, (_e1335 > _e1338));
-                                                                        let _e1343 = bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u));
-                                                                        let _e1346 = bitcast<f32>((bitcast<u32>(_e1321) & 2147483647u));
-                                                                        let _e1348 = select(_e1346, _e1343, (_e1343 > _e1346));
-                                                                        let _e1351 = bitcast<f32>((bitcast<u32>(_e1322) & 2147483647u));
-                                                                        let _e1353 = select(_e1351, _e1348, (_e1348 > _e1351));
-                                                                        let _e1356 = bitcast<f32>((bitcast<u32>(_e1324) & 2147483647u));
-                                                                        let _e1359 = bitcast<f32>((bitcast<u32>(_e1325) & 2147483647u));
-                                                                        let _e1361 = select(_e1359, _e1356, (_e1356 > _e1359));
-                                                                        let _e1364 = bitcast<f32>((bitcast<u32>(_e1326) & 2147483647u));
-                                                                        let _e1366 = select(_e1364, _e1361, (_e1361 > _e1364));
-                                                                        let _e1368 = select(_e1353, _e1340, (_e1340 > _e1353));
-                                                                        let _e1370 = select(_e1366, _e1368, (_e1368 > _e1366));
-                                                                        if (_e1340 == _e1370) {
-                                                                            phi_1881_ = _e1177;
-                                                                            phi_1882_ = _e1174;
-                                                                            phi_1883_ = _e1164;
-                                                                            phi_1884_ = _e1161;
-                                                                            phi_1885_ = _e1313;
-                                                                            phi_1886_ = _e1327;
-                                                                            phi_1887_ = _e1323;
-                                                                            phi_1888_ = _e1319;
+                                                                        let _e948 = vec3<f32>(_e785[0][0], _e785[0][1], _e785[0][2]);
+                                                                        let _e949 = vec3<f32>(_e785[1][0], _e785[1][1], _e785[1][2]);
+                                                                        let _e950 = vec3<f32>(_e785[2][0], _e785[2][1], _e785[2][2]);
+                                                                        let _e951 = (_e785[1][0] - _e785[0][0]);
+                                                                        let _e952 = (_e785[1][1] - _e785[0][1]);
+                                                                        let _e953 = (_e785[1][2] - _e785[0][2]);
+                                                                        let _e954 = vec3<f32>(_e951, _e952, _e953);
+                                                                        let _e955 = (_e785[2][0] - _e785[1][0]);
+                                                                        let _e956 = (_e785[2][1] - _e785[1][1]);
+                                                                        let _e957 = (_e785[2][2] - _e785[1][2]);
+                                                                        let _e958 = vec3<f32>(_e955, _e956, _e957);
+                                                                        let _e959 = (_e785[0][0] - _e785[2][0]);
+                                                                        let _e960 = (_e785[0][1] - _e785[2][1]);
+                                                                        let _e961 = (_e785[0][2] - _e785[2][2]);
+                                                                        let _e962 = vec3<f32>(_e959, _e960, _e961);
+                                                                        let _e965 = bitcast<f32>((bitcast<u32>(_e951) & 2147483647u));
+                                                                        let _e968 = bitcast<f32>((bitcast<u32>(_e952) & 2147483647u));
+                                                                        let _e970 = select(_e968, _e965, (_e965 > _e968));
+                                                                        let _e973 = bitcast<f32>((bitcast<u32>(_e953) & 2147483647u));
+                                                                        let _e975 = select(_e973, _e970, (_e970 > _e973));
+                                                                        let _e978 = bitcast<f32>((bitcast<u32>(_e955) & 2147483647u));
+                                                                        let _e981 = bitcast<f32>((bitcast<u32>(_e956) & 2147483647u));
+                                                                        let _e983 = select(_e981, _e978, (_e978 > _e981));
+                                                                        let _e986 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
+                                                                        let _e988 = select(_e986, _e983, (_e983 > _e986));
+                                                                        let _e991 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
+                                                                        let _e994 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
+                                                                        let _e996 = select(_e994, _e991, (_e991 > _e994));
+                                                                        let _e999 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
+                                                                        let _e1001 = select(_e999, _e996, (_e996 > _e999));
+                                                                        let _e1003 = select(_e988, _e975, (_e975 > _e988));
+                                                                        let _e1005 = select(_e1001, _e1003, (_e1003 > _e1001));
+                                                                        if (_e975 == _e1005) {
+                                                                            phi_1881_ = _e812;
+                                                                            phi_1882_ = _e809;
+                                                                            phi_1883_ = _e799;
+                                                                            phi_1884_ = _e796;
+                                                                            phi_1885_ = _e948;
+                                                                            phi_1886_ = _e962;
+                                                                            phi_1887_ = _e958;
+                                                                            phi_1888_ = _e954;
                                                                         } else {
-                                                                            let _e1372 = (_e1353 == _e1370);
-                                                                            let _e1377 = vec3(_e1372);
-                                                                            phi_1881_ = select(_e1164, _e1190, _e1372);
-                                                                            phi_1882_ = select(_e1161, _e1187, _e1372);
-                                                                            phi_1883_ = select(_e1190, _e1177, _e1372);
-                                                                            phi_1884_ = select(_e1187, _e1174, _e1372);
-                                                                            phi_1885_ = select(_e1315, _e1314, _e1377);
-                                                                            phi_1886_ = select(_e1323, _e1319, _e1377);
-                                                                            phi_1887_ = select(_e1319, _e1327, _e1377);
-                                                                            phi_1888_ = select(_e1327, _e1323, _e1377);
+                                                                            let _e1007 = (_e988 == _e1005);
+                                                                            let _e1012 = vec3(_e1007);
+                                                                            phi_1881_ = select(_e799, _e825, _e1007);
+                                                                            phi_1882_ = select(_e796, _e822, _e1007);
+                                                                            phi_1883_ = select(_e825, _e812, _e1007);
+                                                                            phi_1884_ = select(_e822, _e809, _e1007);
+                                                                            phi_1885_ = select(_e950, _e949, _e1012);
+                                                                            phi_1886_ = select(_e958, _e954, _e1012);
+                                                                            phi_1887_ = select(_e954, _e962, _e1012);
+                                                                            phi_1888_ = select(_e962, _e958, _e1012);
                                                                         }
-                                                                        let _e1383 = phi_1881_;
-                                                                        let _e1385 = phi_1882_;
-                                                                        let _e1387 = phi_1883_;
-                                                                        let _e1389 = phi_1884_;
-                                                                        let _e1391 = phi_1885_;
-                                                                        let _e1393 = phi_1886_;
-                                                                        let _e1395 = phi_1887_;
-                                                                        let _e1397 = phi_1888_;
-                                                                        let _e1404 = ((_e1395.y * _e1393.z) - (_e1393.y * _e1395.z));
-                                                                        let _e1409 = ((_e1395.z * _e1393.x) - (_e1393.z * _e1395.x));
-                                                                        let _e1412 = ((_e1395.x * _e1393.y) - (_e1393.x * _e1395.y));
-                                                                        if (_e1212 >= _e1216) {
-                                                                            phi_1925_ = select(true, false, (_e1212 >= _e1220));
+                                                                        let _e1018 = phi_1881_;
+                                                                        let _e1020 = phi_1882_;
+                                                                        let _e1022 = phi_1883_;
+                                                                        let _e1024 = phi_1884_;
+                                                                        let _e1026 = phi_1885_;
+                                                                        let _e1028 = phi_1886_;
+                                                                        let _e1030 = phi_1887_;
+                                                                        let _e1032 = phi_1888_;
+                                                                        let _e1039 = ((_e1030.y * _e1028.z) - (_e1028.y * _e1030.z));
+                                                                        let _e1044 = ((_e1030.z * _e1028.x) - (_e1028.z * _e1030.x));
+                                                                        let _e1047 = ((_e1030.x * _e1028.y) - (_e1028.x * _e1030.y));
+                                                                        if (_e847 >= _e851) {
+                                                                            phi_1925_ = select(true, false, (_e847 >= _e855));
                                                                         } else {
                                                                             phi_1925_ = true;
                                                                         }
-                                                                        let _e1417 = phi_1925_;
-                                                                        if _e1417 {
-                                                                            phi_1934_ = select(_e1315, _e1314, vec3((_e1216 >= _e1220)));
+                                                                        let _e1052 = phi_1925_;
+                                                                        if _e1052 {
+                                                                            phi_1934_ = select(_e950, _e949, vec3((_e851 >= _e855)));
                                                                         } else {
-                                                                            phi_1934_ = _e1313;
+                                                                            phi_1934_ = _e948;
                                                                         }
-                                                                        let _e1422 = phi_1934_;
-                                                                        let _e1433 = (((_e1404 * (_e1422.x - _e310)) + (_e1409 * (_e1422.y - _e379))) + (_e1412 * (_e1422.z - _e447)));
-                                                                        let _e1438 = (((_e1404 * _e350) + (_e1409 * _e418)) + (_e1412 * _e486));
-                                                                        let _e1439 = (_e1385 - _e1389);
-                                                                        let _e1440 = (_e1383 - _e1387);
-                                                                        let _e1448 = (-(((_e1389 * _e1439) + (_e1387 * _e1440))) / ((_e1439 * _e1439) + (_e1440 * _e1440)));
-                                                                        let _e1450 = select(1f, _e1448, (_e1448 < 1f));
-                                                                        let _e1452 = select(0f, _e1450, (_e1450 > 0f));
-                                                                        let _e1465 = ((_e1391.x + (_e1397.x * _e1452)) - _e310);
-                                                                        let _e1466 = ((_e1391.y + (_e1397.y * _e1452)) - _e379);
-                                                                        let _e1467 = ((_e1391.z + (_e1397.z * _e1452)) - _e447);
-                                                                        let _e1468 = (_e1467 / _e486);
-                                                                        let _e1480 = bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u));
-                                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1466) & 2147483647u));
-                                                                        let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
-                                                                        let _e1488 = bitcast<f32>((bitcast<u32>(_e1467) & 2147483647u));
-                                                                        let _e1490 = select(_e1488, _e1485, (_e1485 > _e1488));
-                                                                        let _e1496 = bitcast<f32>((bitcast<u32>(_e1404) & 2147483647u));
-                                                                        let _e1499 = bitcast<f32>((bitcast<u32>(_e1409) & 2147483647u));
-                                                                        let _e1501 = select(_e1499, _e1496, (_e1496 > _e1499));
-                                                                        let _e1504 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1404 * _e1465) + (_e1409 * _e1466)) + (_e1412 * _e1467)) - _e1433)) & 2147483647u)) <= ((0.0000009536743f * select(_e1370, _e1490, (_e1490 > _e1370))) * select(_e1504, _e1501, (_e1501 > _e1504)))) {
-                                                                            let _e1514 = bitcast<f32>((bitcast<u32>(_e1395.x) & 2147483647u));
-                                                                            let _e1517 = bitcast<f32>((bitcast<u32>(_e1395.y) & 2147483647u));
-                                                                            let _e1519 = select(_e1517, _e1514, (_e1514 > _e1517));
-                                                                            let _e1522 = bitcast<f32>((bitcast<u32>(_e1395.z) & 2147483647u));
-                                                                            let _e1528 = bitcast<f32>((bitcast<u32>(_e1393.x) & 2147483647u));
-                                                                            let _e1531 = bitcast<f32>((bitcast<u32>(_e1393.y) & 2147483647u));
-                                                                            let _e1533 = select(_e1531, _e1528, (_e1528 > _e1531));
-                                                                            let _e1536 = bitcast<f32>((bitcast<u32>(_e1393.z) & 2147483647u));
-                                                                            let _e1540 = (bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u)) > ((0.0000038146973f * select(_e1522, _e1519, (_e1519 > _e1522))) * select(_e1536, _e1533, (_e1533 > _e1536))));
-                                                                            if _e1540 {
-                                                                                phi_2099_ = (_e1433 / _e1438);
+                                                                        let _e1057 = phi_1934_;
+                                                                        let _e1068 = (((_e1039 * (_e1057.x - _e310)) + (_e1044 * (_e1057.y - _e379))) + (_e1047 * (_e1057.z - _e447)));
+                                                                        let _e1073 = (((_e1039 * _e350) + (_e1044 * _e418)) + (_e1047 * _e486));
+                                                                        let _e1074 = (_e1020 - _e1024);
+                                                                        let _e1075 = (_e1018 - _e1022);
+                                                                        let _e1083 = (-(((_e1024 * _e1074) + (_e1022 * _e1075))) / ((_e1074 * _e1074) + (_e1075 * _e1075)));
+                                                                        let _e1085 = select(1f, _e1083, (_e1083 < 1f));
+                                                                        let _e1087 = select(0f, _e1085, (_e1085 > 0f));
+                                                                        let _e1100 = ((_e1026.x + (_e1032.x * _e1087)) - _e310);
+                                                                        let _e1101 = ((_e1026.y + (_e1032.y * _e1087)) - _e379);
+                                                                        let _e1102 = ((_e1026.z + (_e1032.z * _e1087)) - _e447);
+                                                                        let _e1103 = (_e1102 / _e486);
+                                                                        let _e1115 = bitcast<f32>((bitcast<u32>(_e1100) & 2147483647u));
+                                                                        let _e1118 = bitcast<f32>((bitcast<u32>(_e1101) & 2147483647u));
+                                                                        let _e1120 = select(_e1118, _e1115, (_e1115 > _e1118));
+                                                                        let _e1123 = bitcast<f32>((bitcast<u32>(_e1102) & 2147483647u));
+                                                                        let _e1125 = select(_e1123, _e1120, (_e1120 > _e1123));
+                                                                        let _e1131 = bitcast<f32>((bitcast<u32>(_e1039) & 2147483647u));
+                                                                        let _e1134 = bitcast<f32>((bitcast<u32>(_e1044) & 2147483647u));
+                                                                        let _e1136 = select(_e1134, _e1131, (_e1131 > _e1134));
+                                                                        let _e1139 = bitcast<f32>((bitcast<u32>(_e1047) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1039 * _e1100) + (_e1044 * _e1101)) + (_e1047 * _e1102)) - _e1068)) & 2147483647u)) <= ((0.0000009536743f * select(_e1005, _e1125, (_e1125 > _e1005))) * select(_e1139, _e1136, (_e1136 > _e1139)))) {
+                                                                            let _e1149 = bitcast<f32>((bitcast<u32>(_e1030.x) & 2147483647u));
+                                                                            let _e1152 = bitcast<f32>((bitcast<u32>(_e1030.y) & 2147483647u));
+                                                                            let _e1154 = select(_e1152, _e1149, (_e1149 > _e1152));
+                                                                            let _e1157 = bitcast<f32>((bitcast<u32>(_e1030.z) & 2147483647u));
+                                                                            let _e1163 = bitcast<f32>((bitcast<u32>(_e1028.x) & 2147483647u));
+                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1028.y) & 2147483647u));
+                                                                            let _e1168 = select(_e1166, _e1163, (_e1163 > _e1166));
+                                                                            let _e1171 = bitcast<f32>((bitcast<u32>(_e1028.z) & 2147483647u));
+                                                                            let _e1175 = (bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u)) > ((0.0000038146973f * select(_e1157, _e1154, (_e1154 > _e1157))) * select(_e1171, _e1168, (_e1168 > _e1171))));
+                                                                            if _e1175 {
+                                                                                phi_2099_ = (_e1068 / _e1073);
                                                                             } else {
                                                                                 phi_2099_ = f32();
                                                                             }
-                                                                            let _e1543 = phi_2099_;
-                                                                            phi_2101_ = _e1543;
-                                                                            phi_2102_ = select(true, false, _e1540);
+                                                                            let _e1178 = phi_2099_;
+                                                                            phi_2101_ = _e1178;
+                                                                            phi_2102_ = select(true, false, _e1175);
                                                                         } else {
                                                                             phi_2101_ = f32();
                                                                             phi_2102_ = true;
                                                                         }
-                                                                        let _e1546 = phi_2101_;
-                                                                        let _e1548 = phi_2102_;
-                                                                        if _e1548 {
-                                                                            let _e1556 = (((_e1404 * (_e1465 - (_e350 * _e1468))) + (_e1409 * (_e1466 - (_e418 * _e1468)))) / _e1438);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1556) & 2147483647u)) <= _e1370) {
-                                                                                phi_2122_ = (_e1468 + _e1556);
+                                                                        let _e1181 = phi_2101_;
+                                                                        let _e1183 = phi_2102_;
+                                                                        if _e1183 {
+                                                                            let _e1191 = (((_e1039 * (_e1100 - (_e350 * _e1103))) + (_e1044 * (_e1101 - (_e418 * _e1103)))) / _e1073);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u)) <= _e1005) {
+                                                                                phi_2122_ = (_e1103 + _e1191);
                                                                             } else {
-                                                                                phi_2122_ = _e1468;
+                                                                                phi_2122_ = _e1103;
                                                                             }
-                                                                            let _e1563 = phi_2122_;
-                                                                            phi_2123_ = _e1563;
+                                                                            let _e1198 = phi_2122_;
+                                                                            phi_2123_ = _e1198;
                                                                         } else {
-                                                                            phi_2123_ = _e1546;
+                                                                            phi_2123_ = _e1181;
                                                                         }
-                                                                        let _e1565 = phi_2123_;
-                                                                        let _e1567 = select(_e1303, _e1565, (_e1565 < _e1303));
-                                                                        let _e1569 = select(_e1295, _e1567, (_e1567 > _e1295));
-                                                                        if (_e1569 >= _e601) {
-                                                                            let _e1571 = (_e1569 <= _e1054.member);
-                                                                            if _e1571 {
-                                                                                let _e1572 = (1f / _e1222);
-                                                                                phi_2146_ = type_25(_e1569, (_e1216 * _e1572), (_e1220 * _e1572), _e1083);
+                                                                        let _e1200 = phi_2123_;
+                                                                        let _e1202 = select(_e938, _e1200, (_e1200 < _e938));
+                                                                        let _e1204 = select(_e930, _e1202, (_e1202 > _e930));
+                                                                        if (_e1204 >= _e601) {
+                                                                            let _e1206 = (_e1204 <= _e689.member);
+                                                                            if _e1206 {
+                                                                                let _e1207 = (1f / _e857);
+                                                                                phi_2146_ = type_25(_e1204, (_e851 * _e1207), (_e855 * _e1207), _e718);
                                                                             } else {
                                                                                 phi_2146_ = type_25();
                                                                             }
-                                                                            let _e1577 = phi_2146_;
-                                                                            phi_2148_ = _e1577;
-                                                                            phi_2149_ = select(true, false, _e1571);
+                                                                            let _e1212 = phi_2146_;
+                                                                            phi_2148_ = _e1212;
+                                                                            phi_2149_ = select(true, false, _e1206);
                                                                         } else {
                                                                             phi_2148_ = type_25();
                                                                             phi_2149_ = true;
                                                                         }
-                                                                        let _e1580 = phi_2148_;
-                                                                        let _e1582 = phi_2149_;
-                                                                        if _e1582 {
+                                                                        let _e1215 = phi_2148_;
+                                                                        let _e1217 = phi_2149_;
+                                                                        if _e1217 {
                                                                             phi_2153_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2153_ = _e1580;
+                                                                            phi_2153_ = _e1215;
                                                                         }
-                                                                        let _e1584 = phi_2153_;
-                                                                        phi_2154_ = _e1584;
+                                                                        let _e1219 = phi_2153_;
+                                                                        phi_2154_ = _e1219;
                                                                     }
-                                                                    let _e1586 = phi_2154_;
-                                                                    phi_2155_ = _e1586;
-                                                                    phi_2156_ = _e1312;
+                                                                    let _e1221 = phi_2154_;
+                                                                    phi_2155_ = _e1221;
+                                                                    phi_2156_ = _e947;
                                                                 }
-                                                                let _e1588 = phi_2155_;
-                                                                let _e1590 = phi_2156_;
-                                                                phi_2160_ = _e1588;
-                                                                phi_2161_ = _e1590;
+                                                                let _e1223 = phi_2155_;
+                                                                let _e1225 = phi_2156_;
+                                                                phi_2160_ = _e1223;
+                                                                phi_2161_ = _e1225;
                                                             }
-                                                            let _e1592 = phi_2160_;
-                                                            let _e1594 = phi_2161_;
-                                                            phi_2162_ = _e1592;
-                                                            phi_2163_ = _e1247;
-                                                            phi_2164_ = _e1594;
+                                                            let _e1227 = phi_2160_;
+                                                            let _e1229 = phi_2161_;
+                                                            phi_2162_ = _e1227;
+                                                            phi_2163_ = _e882;
+                                                            phi_2164_ = _e1229;
                                                         }
-                                                        let _e1596 = phi_2162_;
-                                                        let _e1598 = phi_2163_;
-                                                        let _e1600 = phi_2164_;
-                                                        phi_2165_ = _e1596;
-                                                        phi_2166_ = _e1598;
-                                                        phi_2167_ = _e1600;
+                                                        let _e1231 = phi_2162_;
+                                                        let _e1233 = phi_2163_;
+                                                        let _e1235 = phi_2164_;
+                                                        phi_2165_ = _e1231;
+                                                        phi_2166_ = _e1233;
+                                                        phi_2167_ = _e1235;
                                                     }
-                                                    let _e1602 = phi_2165_;
-                                                    let _e1604 = phi_2166_;
-                                                    let _e1606 = phi_2167_;
-                                                    phi_2175_ = _e1602;
-                                                    phi_2176_ = select(_e1606, true, _e1604);
+                                                    let _e1237 = phi_2165_;
+                                                    let _e1239 = phi_2166_;
+                                                    let _e1241 = phi_2167_;
+                                                    phi_2175_ = _e1237;
+                                                    phi_2176_ = select(_e1241, true, _e1239);
                                                 } else {
                                                     phi_2175_ = type_25();
                                                     phi_2176_ = true;
                                                 }
-                                                let _e1609 = phi_2175_;
-                                                let _e1611 = phi_2176_;
-                                                if _e1611 {
+                                                let _e1244 = phi_2175_;
+                                                let _e1246 = phi_2176_;
+                                                if _e1246 {
                                                     phi_2180_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2180_ = _e1609;
+                                                    phi_2180_ = _e1244;
                                                 }
-                                                let _e1613 = phi_2180_;
-                                                if (_e1613.member_3 != 4294967295u) {
-                                                    if (_e1083 != 4294967295u) {
-                                                        phi_2191_ = type_37(_e1054.member, true);
+                                                let _e1248 = phi_2180_;
+                                                if (_e1248.member_3 != 4294967295u) {
+                                                    if (_e718 != 4294967295u) {
+                                                        phi_2191_ = type_37(_e689.member, true);
                                                     } else {
-                                                        phi_2191_ = _e1054;
+                                                        phi_2191_ = _e689;
                                                     }
-                                                    let _e1621 = phi_2191_;
-                                                    phi_2192_ = _e1621;
+                                                    let _e1256 = phi_2191_;
+                                                    phi_2192_ = _e1256;
                                                 } else {
-                                                    phi_2192_ = _e1054;
+                                                    phi_2192_ = _e689;
                                                 }
-                                                let _e1623 = phi_2192_;
-                                                phi_1143_ = _e1623;
+                                                let _e1258 = phi_2192_;
+                                                phi_1143_ = _e1258;
                                             } else {
                                                 phi_1143_ = type_37();
                                             }
-                                            let _e1625 = phi_1143_;
+                                            let _e1260 = phi_1143_;
                                             continue;
                                             continuing {
-                                                phi_1142_ = _e1625;
-                                                phi_1145_ = _e1069;
-                                                phi_3273_ = _e633;
-                                                break if !(_e1075);
+                                                phi_1142_ = _e1260;
+                                                phi_1145_ = _e704;
+                                                phi_3276_ = _e633;
+                                                break if !(_e710);
                                             }
                                         }
-                                        let _e1628 = phi_3273_;
-                                        phi_3430_ = _e1628;
-                                        if _e1628 {
+                                        let _e1263 = phi_3276_;
+                                        phi_3433_ = _e1263;
+                                        if _e1263 {
                                             break;
                                         }
-                                        let _e1630 = local_10;
-                                        phi_3434_ = _e1628;
-                                        let _e1795 = local_12;
-                                        phi_3207_ = _e1795;
-                                        phi_3208_ = false;
-                                        phi_3209_ = select(_e676, 0u, _e1630.member_1);
-                                        phi_3210_ = _e678;
+                                        phi_3492_ = _e1263;
+                                        let _e1785 = local_11;
+                                        phi_2193_ = _e1785;
                                     } else {
-                                        let _e687 = (_e678.member_1 < _e84);
-                                        if _e687 {
-                                            if _e687 {
+                                        phi_3492_ = _e633;
+                                        phi_2193_ = _e635;
+                                    }
+                                    let _e1265 = phi_3492_;
+                                    let _e1267 = phi_2193_;
+                                    if _e682 {
+                                        phi_3200_ = bool();
+                                        phi_3201_ = u32();
+                                        phi_3202_ = type_48();
+                                    } else {
+                                        let _e1268 = (_e678.member_1 < _e84);
+                                        if _e1268 {
+                                            if _e1268 {
                                             } else {
-                                                phi_3430_ = true;
+                                                phi_3433_ = true;
                                                 break;
                                             }
-                                            let _e689 = global_6.member[_e678.member_1];
-                                            phi_2220_ = _e689;
+                                            let _e1270 = global_6.member[_e678.member_1];
+                                            phi_2214_ = _e1270;
                                         } else {
-                                            phi_2220_ = type_41(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2214_ = type_41(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e691 = phi_2220_;
-                                        let _e706 = ((10u * _e246) & 31u);
-                                        let _e709 = ((_e691.member[0] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e717 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[0] - _e678.member.member[0]) * 0.0009775171f)) ^ _e118));
-                                        let _e722 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e118)));
-                                        let _e726 = select(select(_e678.member.member_1[0], _e722, (_e722 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e709 == 1023u));
-                                        let _e728 = ((10u * _e245) & 31u);
-                                        let _e731 = ((_e691.member[0] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e739 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[1] - _e678.member.member[1]) * 0.0009775171f)) ^ _e118));
-                                        let _e744 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e118)));
-                                        let _e748 = select(select(_e678.member.member_1[1], _e744, (_e744 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e731 == 1023u));
-                                        let _e750 = ((10u * _e247) & 31u);
-                                        let _e753 = ((_e691.member[0] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e761 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[2] - _e678.member.member[2]) * 0.0009775171f)) ^ _e118));
-                                        let _e766 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e118)));
-                                        let _e770 = select(select(_e678.member.member_1[2], _e766, (_e766 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e753 == 1023u));
-                                        let _e773 = ((_e691.member[1] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e781 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e118)));
-                                        let _e785 = select(select(_e678.member.member_1[0], _e781, (_e781 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e773 == 1023u));
-                                        let _e788 = ((_e691.member[1] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e796 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e118)));
-                                        let _e800 = select(select(_e678.member.member_1[1], _e796, (_e796 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e788 == 1023u));
-                                        let _e803 = ((_e691.member[1] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e811 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e118)));
-                                        let _e815 = select(select(_e678.member.member_1[2], _e811, (_e811 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e803 == 1023u));
-                                        let _e821 = ((_e691.member_1[0] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e829 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e118)));
-                                        let _e833 = select(select(_e678.member.member_1[0], _e829, (_e829 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e821 == 1023u));
-                                        let _e836 = ((_e691.member_1[0] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e844 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e118)));
-                                        let _e848 = select(select(_e678.member.member_1[1], _e844, (_e844 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e836 == 1023u));
-                                        let _e851 = ((_e691.member_1[0] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e859 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e118)));
-                                        let _e863 = select(select(_e678.member.member_1[2], _e859, (_e859 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e851 == 1023u));
-                                        let _e866 = ((_e691.member_1[1] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e874 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e118)));
-                                        let _e878 = select(select(_e678.member.member_1[0], _e874, (_e874 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e866 == 1023u));
-                                        let _e881 = ((_e691.member_1[1] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e889 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e118)));
-                                        let _e893 = select(select(_e678.member.member_1[1], _e889, (_e889 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e881 == 1023u));
-                                        let _e896 = ((_e691.member_1[1] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e904 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e118)));
-                                        let _e908 = select(select(_e678.member.member_1[2], _e904, (_e904 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e896 == 1023u));
-                                        let _e913 = type_48(type_46(array<f32, 3>(_e726, _e748, _e770), array<f32, 3>(_e785, _e800, _e815)), _e691.member_2);
-                                        let _e918 = type_48(type_46(array<f32, 3>(_e833, _e848, _e863), array<f32, 3>(_e878, _e893, _e908)), _e691.member_3);
-                                        let _e924 = ((_e726 - _e348) * _e353);
-                                        let _e925 = ((_e833 - _e348) * _e353);
-                                        let _e926 = ((_e785 - _e349) * _e353);
-                                        let _e927 = ((_e878 - _e349) * _e353);
-                                        let _e932 = ((_e748 - _e416) * _e421);
-                                        let _e933 = ((_e848 - _e416) * _e421);
-                                        let _e934 = ((_e800 - _e417) * _e421);
-                                        let _e935 = ((_e893 - _e417) * _e421);
-                                        let _e940 = ((_e770 - _e484) * _e489);
-                                        let _e941 = ((_e863 - _e484) * _e489);
-                                        let _e942 = ((_e815 - _e485) * _e489);
-                                        let _e943 = ((_e908 - _e485) * _e489);
-                                        let _e945 = select(_e942, _e940, (_e940 < _e942));
-                                        let _e947 = select(_e943, _e941, (_e941 < _e943));
-                                        let _e949 = select(_e942, _e940, (_e940 > _e942));
-                                        let _e951 = select(_e943, _e941, (_e941 > _e943));
-                                        let _e953 = select(_e926, _e924, (_e924 < _e926));
-                                        let _e955 = select(_e927, _e925, (_e925 < _e927));
-                                        let _e957 = select(_e934, _e932, (_e932 < _e934));
-                                        let _e959 = select(_e935, _e933, (_e933 < _e935));
-                                        let _e961 = select(_e957, _e953, (_e953 > _e957));
-                                        let _e963 = select(_e959, _e955, (_e955 > _e959));
-                                        let _e965 = select(_e945, _e961, (_e961 > _e945));
-                                        let _e967 = select(_e947, _e963, (_e963 > _e947));
-                                        let _e969 = select(_e926, _e924, (_e924 > _e926));
-                                        let _e971 = select(_e927, _e925, (_e925 > _e927));
-                                        let _e973 = select(_e934, _e932, (_e932 > _e934));
-                                        let _e975 = select(_e935, _e933, (_e933 > _e935));
-                                        let _e977 = select(_e973, _e969, (_e969 < _e973));
-                                        let _e979 = select(_e975, _e971, (_e971 < _e975));
-                                        let _e984 = -(_e945);
-                                        let _e985 = -(_e947);
-                                        let _e992 = (select(_e949, _e977, (_e977 < _e949)) + (select(_e984, _e949, (_e949 > _e984)) * 0.0000019073523f));
-                                        let _e993 = (select(_e951, _e979, (_e979 < _e951)) + (select(_e985, _e951, (_e951 > _e985)) * 0.0000019073523f));
-                                        let _e995 = select(_e601, _e965, (_e965 > _e601));
-                                        let _e997 = select(_e601, _e967, (_e967 > _e601));
-                                        let _e1002 = (_e995 <= select(_e635.member, _e992, (_e992 < _e635.member)));
-                                        let _e1003 = (_e997 <= select(_e635.member, _e993, (_e993 < _e635.member)));
-                                        let _e1004 = (_e995 <= _e997);
-                                        if _e1002 {
-                                            if _e1003 {
-                                                if _e1004 {
-                                                    phi_3106_ = _e918;
+                                        let _e1272 = phi_2214_;
+                                        let _e1287 = ((10u * _e246) & 31u);
+                                        let _e1290 = ((_e1272.member[0] >> bitcast<u32>(_e1287)) & 1023u);
+                                        let _e1298 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[0] - _e678.member.member[0]) * 0.0009775171f)) ^ _e118));
+                                        let _e1303 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1290)) - 8388608f) * _e1298)) ^ _e118)));
+                                        let _e1307 = select(select(_e678.member.member_1[0], _e1303, (_e1303 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1290 == 1023u));
+                                        let _e1309 = ((10u * _e245) & 31u);
+                                        let _e1312 = ((_e1272.member[0] >> bitcast<u32>(_e1309)) & 1023u);
+                                        let _e1320 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[1] - _e678.member.member[1]) * 0.0009775171f)) ^ _e118));
+                                        let _e1325 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1312)) - 8388608f) * _e1320)) ^ _e118)));
+                                        let _e1329 = select(select(_e678.member.member_1[1], _e1325, (_e1325 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1312 == 1023u));
+                                        let _e1331 = ((10u * _e247) & 31u);
+                                        let _e1334 = ((_e1272.member[0] >> bitcast<u32>(_e1331)) & 1023u);
+                                        let _e1342 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[2] - _e678.member.member[2]) * 0.0009775171f)) ^ _e118));
+                                        let _e1347 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1334)) - 8388608f) * _e1342)) ^ _e118)));
+                                        let _e1351 = select(select(_e678.member.member_1[2], _e1347, (_e1347 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1334 == 1023u));
+                                        let _e1354 = ((_e1272.member[1] >> bitcast<u32>(_e1287)) & 1023u);
+                                        let _e1362 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1354)) - 8388608f) * _e1298)) ^ _e118)));
+                                        let _e1366 = select(select(_e678.member.member_1[0], _e1362, (_e1362 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1354 == 1023u));
+                                        let _e1369 = ((_e1272.member[1] >> bitcast<u32>(_e1309)) & 1023u);
+                                        let _e1377 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1369)) - 8388608f) * _e1320)) ^ _e118)));
+                                        let _e1381 = select(select(_e678.member.member_1[1], _e1377, (_e1377 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1369 == 1023u));
+                                        let _e1384 = ((_e1272.member[1] >> bitcast<u32>(_e1331)) & 1023u);
+                                        let _e1392 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1384)) - 8388608f) * _e1342)) ^ _e118)));
+                                        let _e1396 = select(select(_e678.member.member_1[2], _e1392, (_e1392 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1384 == 1023u));
+                                        let _e1402 = ((_e1272.member_1[0] >> bitcast<u32>(_e1287)) & 1023u);
+                                        let _e1410 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1402)) - 8388608f) * _e1298)) ^ _e118)));
+                                        let _e1414 = select(select(_e678.member.member_1[0], _e1410, (_e1410 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1402 == 1023u));
+                                        let _e1417 = ((_e1272.member_1[0] >> bitcast<u32>(_e1309)) & 1023u);
+                                        let _e1425 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1417)) - 8388608f) * _e1320)) ^ _e118)));
+                                        let _e1429 = select(select(_e678.member.member_1[1], _e1425, (_e1425 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1417 == 1023u));
+                                        let _e1432 = ((_e1272.member_1[0] >> bitcast<u32>(_e1331)) & 1023u);
+                                        let _e1440 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1432)) - 8388608f) * _e1342)) ^ _e118)));
+                                        let _e1444 = select(select(_e678.member.member_1[2], _e1440, (_e1440 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1432 == 1023u));
+                                        let _e1447 = ((_e1272.member_1[1] >> bitcast<u32>(_e1287)) & 1023u);
+                                        let _e1455 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1447)) - 8388608f) * _e1298)) ^ _e118)));
+                                        let _e1459 = select(select(_e678.member.member_1[0], _e1455, (_e1455 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1447 == 1023u));
+                                        let _e1462 = ((_e1272.member_1[1] >> bitcast<u32>(_e1309)) & 1023u);
+                                        let _e1470 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1462)) - 8388608f) * _e1320)) ^ _e118)));
+                                        let _e1474 = select(select(_e678.member.member_1[1], _e1470, (_e1470 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1462 == 1023u));
+                                        let _e1477 = ((_e1272.member_1[1] >> bitcast<u32>(_e1331)) & 1023u);
+                                        let _e1485 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1477)) - 8388608f) * _e1342)) ^ _e118)));
+                                        let _e1489 = select(select(_e678.member.member_1[2], _e1485, (_e1485 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1477 == 1023u));
+                                        let _e1494 = type_48(type_46(array<f32, 3>(_e1307, _e1329, _e1351), array<f32, 3>(_e1366, _e1381, _e1396)), _e1272.member_2);
+                                        let _e1499 = type_48(type_46(array<f32, 3>(_e1414, _e1429, _e1444), array<f32, 3>(_e1459, _e1474, _e1489)), _e1272.member_3);
+                                        let _e1505 = ((_e1307 - _e348) * _e353);
+                                        let _e1506 = ((_e1414 - _e348) * _e353);
+                                        let _e1507 = ((_e1366 - _e349) * _e353);
+                                        let _e1508 = ((_e1459 - _e349) * _e353);
+                                        let _e1513 = ((_e1329 - _e416) * _e421);
+                                        let _e1514 = ((_e1429 - _e416) * _e421);
+                                        let _e1515 = ((_e1381 - _e417) * _e421);
+                                        let _e1516 = ((_e1474 - _e417) * _e421);
+                                        let _e1521 = ((_e1351 - _e484) * _e489);
+                                        let _e1522 = ((_e1444 - _e484) * _e489);
+                                        let _e1523 = ((_e1396 - _e485) * _e489);
+                                        let _e1524 = ((_e1489 - _e485) * _e489);
+                                        let _e1526 = select(_e1523, _e1521, (_e1521 < _e1523));
+                                        let _e1528 = select(_e1524, _e1522, (_e1522 < _e1524));
+                                        let _e1530 = select(_e1523, _e1521, (_e1521 > _e1523));
+                                        let _e1532 = select(_e1524, _e1522, (_e1522 > _e1524));
+                                        let _e1534 = select(_e1507, _e1505, (_e1505 < _e1507));
+                                        let _e1536 = select(_e1508, _e1506, (_e1506 < _e1508));
+                                        let _e1538 = select(_e1515, _e1513, (_e1513 < _e1515));
+                                        let _e1540 = select(_e1516, _e1514, (_e1514 < _e1516));
+                                        let _e1542 = select(_e1538, _e1534, (_e1534 > _e1538));
+                                        let _e1544 = select(_e1540, _e1536, (_e1536 > _e1540));
+                                        let _e1546 = select(_e1526, _e1542, (_e1542 > _e1526));
+                                        let _e1548 = select(_e1528, _e1544, (_e1544 > _e1528));
+                                        let _e1550 = select(_e1507, _e1505, (_e1505 > _e1507));
+                                        let _e1552 = select(_e1508, _e1506, (_e1506 > _e1508));
+                                        let _e1554 = select(_e1515, _e1513, (_e1513 > _e1515));
+                                        let _e1556 = select(_e1516, _e1514, (_e1514 > _e1516));
+                                        let _e1558 = select(_e1554, _e1550, (_e1550 < _e1554));
+                                        let _e1560 = select(_e1556, _e1552, (_e1552 < _e1556));
+                                        let _e1565 = -(_e1526);
+                                        let _e1566 = -(_e1528);
+                                        let _e1573 = (select(_e1530, _e1558, (_e1558 < _e1530)) + (select(_e1565, _e1530, (_e1530 > _e1565)) * 0.0000019073523f));
+                                        let _e1574 = (select(_e1532, _e1560, (_e1560 < _e1532)) + (select(_e1566, _e1532, (_e1532 > _e1566)) * 0.0000019073523f));
+                                        let _e1576 = select(_e601, _e1546, (_e1546 > _e601));
+                                        let _e1578 = select(_e601, _e1548, (_e1548 > _e601));
+                                        let _e1583 = (_e1576 <= select(_e1267.member, _e1573, (_e1573 < _e1267.member)));
+                                        let _e1584 = (_e1578 <= select(_e1267.member, _e1574, (_e1574 < _e1267.member)));
+                                        let _e1585 = (_e1576 <= _e1578);
+                                        if _e1583 {
+                                            if _e1584 {
+                                                if _e1585 {
+                                                    phi_3100_ = _e1499;
                                                 } else {
-                                                    phi_3106_ = _e913;
+                                                    phi_3100_ = _e1494;
                                                 }
-                                                let _e1006 = phi_3106_;
-                                                let _e1014 = (_e676 % 128u);
-                                                let _e1015 = (_e1014 < 128u);
-                                                if _e1015 {
+                                                let _e1587 = phi_3100_;
+                                                let _e1594 = (_e676 % 128u);
+                                                let _e1595 = (_e1594 < 128u);
+                                                if _e1595 {
                                                 } else {
-                                                    phi_3430_ = true;
+                                                    phi_3433_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1014] = _e1006.member_1;
-                                                if _e1015 {
+                                                local_6[_e1594] = _e1587.member_1;
+                                                if _e1595 {
                                                 } else {
-                                                    phi_3430_ = true;
+                                                    phi_3433_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1014] = _e1006.member.member[0];
-                                                if _e1015 {
+                                                local_5[_e1594] = _e1587.member.member[0];
+                                                if _e1595 {
                                                 } else {
-                                                    phi_3430_ = true;
+                                                    phi_3433_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1014] = _e1006.member.member[1];
-                                                if _e1015 {
+                                                local_4[_e1594] = _e1587.member.member[1];
+                                                if _e1595 {
                                                 } else {
-                                                    phi_3430_ = true;
+                                                    phi_3433_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1014] = _e1006.member.member[2];
-                                                if _e1015 {
+                                                local_3[_e1594] = _e1587.member.member[2];
+                                                if _e1595 {
                                                 } else {
-                                                    phi_3430_ = true;
+                                                    phi_3433_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1014] = _e1006.member.member_1[0];
-                                                if _e1015 {
+                                                local_2[_e1594] = _e1587.member.member_1[0];
+                                                if _e1595 {
                                                 } else {
-                                                    phi_3430_ = true;
+                                                    phi_3433_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1014] = _e1006.member.member_1[1];
-                                                if _e1015 {
+                                                local_1[_e1594] = _e1587.member.member_1[1];
+                                                if _e1595 {
                                                 } else {
-                                                    phi_3430_ = true;
+                                                    phi_3433_ = true;
                                                     break;
                                                 }
-                                                local[_e1014] = _e1006.member.member_1[2];
-                                                if _e1015 {
+                                                local[_e1594] = _e1587.member.member_1[2];
+                                                if _e1595 {
                                                 } else {
-                                                    phi_3430_ = true;
+                                                    phi_3433_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1014] = select(_e997, _e995, !(_e1004));
-                                                if _e1004 {
-                                                    phi_3183_ = _e913;
+                                                local_7[_e1594] = select(_e1576, _e1578, _e1585);
+                                                if _e1585 {
+                                                    phi_3176_ = _e1494;
                                                 } else {
-                                                    phi_3183_ = _e918;
+                                                    phi_3176_ = _e1499;
                                                 }
-                                                let _e1032 = phi_3183_;
-                                                phi_3184_ = (_e676 + 1u);
-                                                phi_3185_ = _e1032;
+                                                let _e1612 = phi_3176_;
+                                                phi_3177_ = (_e676 + 1u);
+                                                phi_3178_ = _e1612;
                                             } else {
-                                                phi_3184_ = u32();
-                                                phi_3185_ = type_48();
+                                                phi_3177_ = u32();
+                                                phi_3178_ = type_48();
                                             }
-                                            let _e1034 = phi_3184_;
-                                            let _e1036 = phi_3185_;
-                                            phi_3187_ = _e1034;
-                                            phi_3188_ = _e1036;
-                                            phi_3189_ = select(true, false, _e1003);
+                                            let _e1614 = phi_3177_;
+                                            let _e1616 = phi_3178_;
+                                            phi_3180_ = _e1614;
+                                            phi_3181_ = _e1616;
+                                            phi_3182_ = select(true, false, _e1584);
                                         } else {
-                                            phi_3187_ = u32();
-                                            phi_3188_ = type_48();
-                                            phi_3189_ = true;
+                                            phi_3180_ = u32();
+                                            phi_3181_ = type_48();
+                                            phi_3182_ = true;
                                         }
-                                        let _e1039 = phi_3187_;
-                                        let _e1041 = phi_3188_;
-                                        let _e1043 = phi_3189_;
-                                        if _e1043 {
-                                            if _e1002 {
-                                                phi_3196_ = _e913;
+                                        let _e1619 = phi_3180_;
+                                        let _e1621 = phi_3181_;
+                                        let _e1623 = phi_3182_;
+                                        if _e1623 {
+                                            if _e1583 {
+                                                phi_3189_ = _e1494;
                                             } else {
-                                                phi_3196_ = _e918;
+                                                phi_3189_ = _e1499;
                                             }
-                                            let _e1045 = phi_3196_;
-                                            phi_3201_ = select(_e1003, true, _e1002);
-                                            phi_3203_ = _e1045;
+                                            let _e1625 = phi_3189_;
+                                            phi_3194_ = select(_e1584, true, _e1583);
+                                            phi_3196_ = _e1625;
                                         } else {
-                                            phi_3201_ = _e674;
-                                            phi_3203_ = _e1041;
+                                            phi_3194_ = _e674;
+                                            phi_3196_ = _e1621;
                                         }
-                                        let _e1048 = phi_3201_;
-                                        let _e1050 = phi_3203_;
-                                        phi_3434_ = _e633;
-                                        phi_3207_ = _e635;
-                                        phi_3208_ = _e1048;
-                                        phi_3209_ = select(_e1039, _e676, _e1043);
-                                        phi_3210_ = _e1050;
+                                        let _e1628 = phi_3194_;
+                                        let _e1630 = phi_3196_;
+                                        phi_3200_ = _e1628;
+                                        phi_3201_ = select(_e1619, _e676, _e1623);
+                                        phi_3202_ = _e1630;
                                     }
-                                    let _e1634 = phi_3434_;
-                                    let _e1636 = phi_3207_;
-                                    let _e1638 = phi_3208_;
-                                    let _e1640 = phi_3209_;
-                                    let _e1642 = phi_3210_;
-                                    phi_3433_ = _e1634;
-                                    phi_3211_ = _e1636;
-                                    phi_3212_ = _e1638;
-                                    phi_3213_ = (_e639 - 1u);
-                                    phi_3214_ = _e1640;
-                                    phi_3215_ = _e1642;
+                                    let _e1633 = phi_3200_;
+                                    let _e1635 = phi_3201_;
+                                    let _e1637 = phi_3202_;
+                                    if _e682 {
+                                        phi_3212_ = select(_e676, 0u, _e1267.member_1);
+                                        phi_3213_ = _e678;
+                                    } else {
+                                        phi_3212_ = _e1635;
+                                        phi_3213_ = _e1637;
+                                    }
+                                    let _e1641 = phi_3212_;
+                                    let _e1643 = phi_3213_;
+                                    phi_3436_ = _e1265;
+                                    phi_3214_ = _e1267;
+                                    phi_3215_ = (_e637 - 1u);
+                                    phi_3216_ = select(_e1633, false, _e682);
+                                    phi_3217_ = _e1641;
+                                    phi_3218_ = _e1643;
                                 } else {
-                                    phi_3433_ = _e633;
-                                    phi_3211_ = _e635;
-                                    phi_3212_ = _e674;
-                                    phi_3213_ = _e639;
-                                    phi_3214_ = _e676;
-                                    phi_3215_ = _e678;
+                                    phi_3436_ = _e633;
+                                    phi_3214_ = _e635;
+                                    phi_3215_ = _e637;
+                                    phi_3216_ = _e674;
+                                    phi_3217_ = _e676;
+                                    phi_3218_ = _e678;
                                 }
-                                let _e1644 = phi_3433_;
-                                let _e1646 = phi_3211_;
-                                let _e1648 = phi_3212_;
-                                let _e1650 = phi_3213_;
-                                let _e1652 = phi_3214_;
-                                let _e1654 = phi_3215_;
-                                phi_3432_ = _e1644;
-                                phi_3216_ = _e1646;
-                                phi_3217_ = _e1648;
-                                phi_3218_ = _e1650;
-                                phi_3219_ = _e1652;
-                                phi_3220_ = _e1654;
+                                let _e1646 = phi_3436_;
+                                let _e1648 = phi_3214_;
+                                let _e1650 = phi_3215_;
+                                let _e1652 = phi_3216_;
+                                let _e1654 = phi_3217_;
+                                let _e1656 = phi_3218_;
+                                phi_3435_ = _e1646;
+                                phi_3219_ = _e1648;
+                                phi_3220_ = _e1650;
+                                phi_3221_ = _e1652;
+                                phi_3222_ = _e1654;
+                                phi_3223_ = _e1656;
                             } else {
-                                phi_3432_ = _e633;
-                                phi_3216_ = type_37();
-                                phi_3217_ = bool();
-                                phi_3218_ = u32();
-                                phi_3219_ = u32();
-                                phi_3220_ = type_48();
+                                phi_3435_ = _e633;
+                                phi_3219_ = type_37();
+                                phi_3220_ = u32();
+                                phi_3221_ = bool();
+                                phi_3222_ = u32();
+                                phi_3223_ = type_48();
                             }
-                            let _e1656 = phi_3432_;
-                            let _e1658 = phi_3216_;
-                            let _e1660 = phi_3217_;
-                            let _e1662 = phi_3218_;
-                            let _e1664 = phi_3219_;
-                            let _e1666 = phi_3220_;
-                            phi_3431_ = _e1656;
-                            phi_1017_ = _e1658;
-                            phi_1020_ = _e1660;
-                            phi_1022_ = _e1662;
-                            phi_1024_ = _e1664;
-                            phi_1026_ = _e1666;
-                            phi_3221_ = _e647;
+                            let _e1658 = phi_3435_;
+                            let _e1660 = phi_3219_;
+                            let _e1662 = phi_3220_;
+                            let _e1664 = phi_3221_;
+                            let _e1666 = phi_3222_;
+                            let _e1668 = phi_3223_;
+                            phi_3434_ = _e1658;
+                            phi_1017_ = _e1660;
+                            phi_1020_ = _e1662;
+                            phi_1022_ = _e1664;
+                            phi_1024_ = _e1666;
+                            phi_1026_ = _e1668;
+                            phi_3224_ = _e647;
                         } else {
-                            phi_3431_ = _e633;
+                            phi_3434_ = _e633;
                             phi_1017_ = type_37();
-                            phi_1020_ = bool();
-                            phi_1022_ = u32();
+                            phi_1020_ = u32();
+                            phi_1022_ = bool();
                             phi_1024_ = u32();
                             phi_1026_ = type_48();
-                            phi_3221_ = false;
+                            phi_3224_ = false;
                         }
-                        let _e1668 = phi_3431_;
-                        let _e1670 = phi_1017_;
-                        let _e1672 = phi_1020_;
-                        let _e1674 = phi_1022_;
-                        let _e1676 = phi_1024_;
-                        let _e1678 = phi_1026_;
-                        let _e1680 = phi_3221_;
+                        let _e1670 = phi_3434_;
+                        let _e1672 = phi_1017_;
+                        let _e1674 = phi_1020_;
+                        let _e1676 = phi_1022_;
+                        let _e1678 = phi_1024_;
+                        let _e1680 = phi_1026_;
+                        let _e1682 = phi_3224_;
                         continue;
                         continuing {
-                            phi_3279_ = _e1668;
-                            phi_1016_ = _e1670;
-                            phi_1019_ = _e1672;
-                            phi_1021_ = _e1674;
-                            phi_1023_ = _e1676;
-                            phi_1025_ = _e1678;
-                            phi_3430_ = _e1668;
-                            break if !(_e1680);
+                            phi_3282_ = _e1670;
+                            phi_1016_ = _e1672;
+                            phi_1019_ = _e1674;
+                            phi_1021_ = _e1676;
+                            phi_1023_ = _e1678;
+                            phi_1025_ = _e1680;
+                            phi_3433_ = _e1670;
+                            break if !(_e1682);
                         }
                     }
-                    let _e1683 = phi_3430_;
-                    if _e1683 {
+                    let _e1685 = phi_3433_;
+                    if _e1685 {
                         break;
                     }
-                    let _e1685 = local_11;
+                    let _e1687 = local_10;
                     if _e134 {
                     } else {
                         break;
                     }
-                    global_5.member[_e132] = select(0u, 1u, _e1685.member_1);
+                    global_5.member[_e132] = select(0u, 1u, _e1687.member_1);
                 }
             }
             break;

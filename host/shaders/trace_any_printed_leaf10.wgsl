@@ -128,27 +128,16 @@ fn function_() {
     var phi_927_: u32;
     var phi_935_: f32;
     var phi_936_: f32;
-    var phi_3473_: bool;
+    var phi_3476_: bool;
     var phi_1019_: type_32;
-    var phi_1022_: bool;
-    var phi_1024_: u32;
+    var phi_1022_: u32;
+    var phi_1024_: bool;
     var phi_1026_: u32;
     var phi_1028_: type_49;
     var phi_1039_: bool;
     var phi_1125_: bool;
     var phi_1126_: u32;
     var phi_1127_: type_49;
-    var phi_2414_: type_36;
-    var phi_3300_: type_49;
-    var phi_3377_: type_49;
-    var phi_3378_: u32;
-    var phi_3379_: type_49;
-    var phi_3381_: u32;
-    var phi_3382_: type_49;
-    var phi_3383_: bool;
-    var phi_3390_: type_49;
-    var phi_3395_: bool;
-    var phi_3397_: type_49;
     var phi_1146_: type_32;
     var phi_1149_: type_7;
     var phi_1150_: type_7;
@@ -193,35 +182,47 @@ fn function_() {
     var phi_2385_: type_32;
     var phi_2386_: type_32;
     var phi_1147_: type_32;
-    var phi_3467_: bool;
-    var local_10: type_32;
+    var phi_3470_: bool;
+    var phi_3704_: bool;
+    var phi_2387_: type_32;
+    var phi_2408_: type_36;
+    var phi_3294_: type_49;
+    var phi_3370_: type_49;
+    var phi_3371_: u32;
+    var phi_3372_: type_49;
+    var phi_3374_: u32;
+    var phi_3375_: type_49;
+    var phi_3376_: bool;
+    var phi_3383_: type_49;
+    var phi_3388_: bool;
+    var phi_3390_: type_49;
+    var phi_3394_: bool;
+    var phi_3395_: u32;
+    var phi_3396_: type_49;
+    var phi_3406_: u32;
+    var phi_3407_: type_49;
+    var phi_3648_: bool;
+    var phi_3408_: type_32;
+    var phi_3409_: u32;
+    var phi_3410_: bool;
+    var phi_3411_: u32;
+    var phi_3412_: type_49;
+    var phi_3647_: bool;
+    var phi_3413_: type_32;
+    var phi_3414_: u32;
+    var phi_3415_: bool;
+    var phi_3416_: u32;
+    var phi_3417_: type_49;
     var phi_3646_: bool;
-    var phi_3401_: type_32;
-    var phi_3402_: bool;
-    var phi_3403_: u32;
-    var phi_3404_: type_49;
-    var phi_3645_: bool;
-    var phi_3405_: type_32;
-    var phi_3406_: bool;
-    var phi_3407_: u32;
-    var phi_3408_: u32;
-    var phi_3409_: type_49;
-    var phi_3644_: bool;
-    var phi_3410_: type_32;
-    var phi_3411_: bool;
-    var phi_3412_: u32;
-    var phi_3413_: u32;
-    var phi_3414_: type_49;
-    var phi_3643_: bool;
     var phi_1020_: type_32;
-    var phi_1023_: bool;
-    var phi_1025_: u32;
+    var phi_1023_: u32;
+    var phi_1025_: bool;
     var phi_1027_: u32;
     var phi_1029_: type_49;
-    var phi_3415_: bool;
-    var phi_3642_: bool;
+    var phi_3418_: bool;
+    var phi_3645_: bool;
+    var local_10: type_32;
     var local_11: type_32;
-    var local_12: type_32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -583,31 +584,31 @@ fn function_() {
                         break;
                     }
                     let _e624 = local_8[_e613];
-                    phi_3473_ = false;
+                    phi_3476_ = false;
                     phi_1019_ = type_32(_e598, false);
-                    phi_1022_ = (_e600 <= _e598);
-                    phi_1024_ = ((3u * _e82) + 1u);
+                    phi_1022_ = ((3u * _e82) + 1u);
+                    phi_1024_ = (_e600 <= _e598);
                     phi_1026_ = 0u;
                     phi_1028_ = type_49(type_41(array<f32, 3>(_e608, _e612, _e616), array<f32, 3>(_e620, _e622, _e624)), select(0u, 2147483648u, (_e82 == 0u)));
                     loop {
-                        let _e632 = phi_3473_;
+                        let _e632 = phi_3476_;
                         let _e634 = phi_1019_;
                         let _e636 = phi_1022_;
                         let _e638 = phi_1024_;
                         let _e640 = phi_1026_;
                         let _e642 = phi_1028_;
-                        local_11 = _e634;
-                        if _e636 {
+                        local_10 = _e634;
+                        if _e638 {
                             phi_1039_ = true;
                         } else {
                             phi_1039_ = (_e640 > 0u);
                         }
                         let _e645 = phi_1039_;
                         if _e645 {
-                            let _e646 = (_e638 > 0u);
+                            let _e646 = (_e636 > 0u);
                             if _e646 {
-                                if _e636 {
-                                    phi_1125_ = _e636;
+                                if _e638 {
+                                    phi_1125_ = _e638;
                                     phi_1126_ = _e640;
                                     phi_1127_ = _e642;
                                 } else {
@@ -616,49 +617,49 @@ fn function_() {
                                     let _e649 = (_e648 < 128u);
                                     if _e649 {
                                     } else {
-                                        phi_3642_ = true;
+                                        phi_3645_ = true;
                                         break;
                                     }
                                     let _e651 = local_6[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3642_ = true;
+                                        phi_3645_ = true;
                                         break;
                                     }
                                     let _e653 = local_5[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3642_ = true;
+                                        phi_3645_ = true;
                                         break;
                                     }
                                     let _e655 = local_4[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3642_ = true;
+                                        phi_3645_ = true;
                                         break;
                                     }
                                     let _e657 = local_3[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3642_ = true;
+                                        phi_3645_ = true;
                                         break;
                                     }
                                     let _e660 = local_2[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3642_ = true;
+                                        phi_3645_ = true;
                                         break;
                                     }
                                     let _e662 = local_1[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3642_ = true;
+                                        phi_3645_ = true;
                                         break;
                                     }
                                     let _e664 = local[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3642_ = true;
+                                        phi_3645_ = true;
                                         break;
                                     }
                                     let _e669 = local_7[_e648];
@@ -670,698 +671,709 @@ fn function_() {
                                 let _e675 = phi_1126_;
                                 let _e677 = phi_1127_;
                                 if _e673 {
-                                    if ((_e677.member_1 & 2147483648u) != 0u) {
+                                    let _e681 = ((_e677.member_1 & 2147483648u) != 0u);
+                                    if _e681 {
                                         phi_1146_ = _e634;
                                         phi_1149_ = type_7(0u, ((_e677.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1054 = phi_1146_;
-                                            let _e1056 = phi_1149_;
-                                            local_10 = _e1054;
-                                            local_12 = _e1054;
-                                            if (_e1056.member < _e1056.member_1) {
-                                                phi_1150_ = type_7((_e1056.member + 1u), _e1056.member_1);
-                                                phi_1172_ = type_7(1u, _e1056.member);
+                                            let _e689 = phi_1146_;
+                                            let _e691 = phi_1149_;
+                                            local_11 = _e689;
+                                            if (_e691.member < _e691.member_1) {
+                                                phi_1150_ = type_7((_e691.member + 1u), _e691.member_1);
+                                                phi_1172_ = type_7(1u, _e691.member);
                                             } else {
-                                                phi_1150_ = _e1056;
+                                                phi_1150_ = _e691;
                                                 phi_1172_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1069 = phi_1150_;
-                                            let _e1071 = phi_1172_;
-                                            let _e1075 = (bitcast<i32>(_e1071.member) != 0i);
-                                            if _e1075 {
-                                                let _e1076 = ((_e677.member_1 & 268435455u) + _e1071.member_1);
-                                                let _e1077 = (_e1076 < arrayLength((&global_6.member)));
-                                                if _e1077 {
-                                                    if _e1077 {
+                                            let _e704 = phi_1150_;
+                                            let _e706 = phi_1172_;
+                                            let _e710 = (bitcast<i32>(_e706.member) != 0i);
+                                            if _e710 {
+                                                let _e711 = ((_e677.member_1 & 268435455u) + _e706.member_1);
+                                                let _e712 = (_e711 < arrayLength((&global_6.member)));
+                                                if _e712 {
+                                                    if _e712 {
                                                     } else {
-                                                        phi_3467_ = true;
+                                                        phi_3470_ = true;
                                                         break;
                                                     }
-                                                    let _e1080 = global_6.member[_e1076].member_1;
-                                                    phi_1197_ = _e1080;
+                                                    let _e715 = global_6.member[_e711].member_1;
+                                                    phi_1197_ = _e715;
                                                 } else {
                                                     phi_1197_ = 4294967295u;
                                                 }
-                                                let _e1082 = phi_1197_;
-                                                if _e1077 {
-                                                    if _e1077 {
+                                                let _e717 = phi_1197_;
+                                                if _e712 {
+                                                    if _e712 {
                                                     } else {
-                                                        phi_3467_ = true;
+                                                        phi_3470_ = true;
                                                         break;
                                                     }
-                                                    let _e1084 = global_6.member[_e1076];
-                                                    phi_1213_ = _e1084;
+                                                    let _e719 = global_6.member[_e711];
+                                                    phi_1213_ = _e719;
                                                 } else {
                                                     phi_1213_ = type_43(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e1086 = phi_1213_;
-                                                let _e1098 = ((10u * _e245) & 31u);
-                                                let _e1101 = ((_e1086.member[0] >> bitcast<u32>(_e1098)) & 1023u);
-                                                let _e1109 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                                let _e1114 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1101)) - 8388608f) * _e1109)) ^ _e117)));
-                                                let _e1118 = select(select(_e677.member.member_1[0], _e1114, (_e1114 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1101 == 1023u));
-                                                let _e1120 = ((10u * _e244) & 31u);
-                                                let _e1123 = ((_e1086.member[0] >> bitcast<u32>(_e1120)) & 1023u);
-                                                let _e1131 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                                let _e1136 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1123)) - 8388608f) * _e1131)) ^ _e117)));
-                                                let _e1140 = select(select(_e677.member.member_1[1], _e1136, (_e1136 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1123 == 1023u));
-                                                let _e1142 = ((10u * _e246) & 31u);
-                                                let _e1145 = ((_e1086.member[0] >> bitcast<u32>(_e1142)) & 1023u);
-                                                let _e1153 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                                let _e1158 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1145)) - 8388608f) * _e1153)) ^ _e117)));
-                                                let _e1162 = select(select(_e677.member.member_1[2], _e1158, (_e1158 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1145 == 1023u));
-                                                let _e1166 = ((_e1086.member[1] >> bitcast<u32>(_e1098)) & 1023u);
-                                                let _e1174 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1166)) - 8388608f) * _e1109)) ^ _e117)));
-                                                let _e1178 = select(select(_e677.member.member_1[0], _e1174, (_e1174 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1166 == 1023u));
-                                                let _e1181 = ((_e1086.member[1] >> bitcast<u32>(_e1120)) & 1023u);
-                                                let _e1189 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1181)) - 8388608f) * _e1131)) ^ _e117)));
-                                                let _e1193 = select(select(_e677.member.member_1[1], _e1189, (_e1189 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1181 == 1023u));
-                                                let _e1196 = ((_e1086.member[1] >> bitcast<u32>(_e1142)) & 1023u);
-                                                let _e1204 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1196)) - 8388608f) * _e1153)) ^ _e117)));
-                                                let _e1208 = select(select(_e677.member.member_1[2], _e1204, (_e1204 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1196 == 1023u));
-                                                let _e1212 = ((_e1086.member[2] >> bitcast<u32>(_e1098)) & 1023u);
-                                                let _e1220 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1212)) - 8388608f) * _e1109)) ^ _e117)));
-                                                let _e1224 = select(select(_e677.member.member_1[0], _e1220, (_e1220 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1212 == 1023u));
-                                                let _e1227 = ((_e1086.member[2] >> bitcast<u32>(_e1120)) & 1023u);
-                                                let _e1235 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1227)) - 8388608f) * _e1131)) ^ _e117)));
-                                                let _e1239 = select(select(_e677.member.member_1[1], _e1235, (_e1235 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1227 == 1023u));
-                                                let _e1242 = ((_e1086.member[2] >> bitcast<u32>(_e1142)) & 1023u);
-                                                let _e1250 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1242)) - 8388608f) * _e1153)) ^ _e117)));
-                                                let _e1254 = select(select(_e677.member.member_1[2], _e1250, (_e1250 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1242 == 1023u));
-                                                let _e1258 = (_e1162 - _e446);
-                                                let _e1261 = (((_e1118 - _e309) * _e485) - (_e1258 * _e349));
-                                                let _e1264 = (((_e1140 - _e378) * _e485) - (_e1258 * _e417));
-                                                let _e1267 = (_e1208 - _e446);
-                                                let _e1270 = (((_e1178 - _e309) * _e485) - (_e1267 * _e349));
-                                                let _e1273 = (((_e1193 - _e378) * _e485) - (_e1267 * _e417));
-                                                let _e1276 = (_e1254 - _e446);
-                                                let _e1279 = (((_e1224 - _e309) * _e485) - (_e1276 * _e349));
-                                                let _e1282 = (((_e1239 - _e378) * _e485) - (_e1276 * _e417));
-                                                let _e1283 = (_e1279 * _e1273);
-                                                let _e1284 = (_e1282 * _e1270);
-                                                let _e1285 = (_e1261 * _e1282);
-                                                let _e1286 = (_e1264 * _e1279);
-                                                let _e1287 = (_e1270 * _e1264);
-                                                let _e1288 = (_e1273 * _e1261);
-                                                let _e1293 = (((_e1283 >= _e1284) && (_e1285 >= _e1286)) && (_e1287 >= _e1288));
-                                                if (_e1293 || (((_e1283 <= _e1284) && (_e1285 <= _e1286)) && (_e1287 <= _e1288))) {
-                                                    let _e1300 = select(-1f, 1f, _e1293);
-                                                    let _e1302 = ((_e1283 - _e1284) * _e1300);
-                                                    let _e1304 = select(0f, _e1302, (_e1302 > 0f));
-                                                    let _e1306 = ((_e1285 - _e1286) * _e1300);
-                                                    let _e1308 = select(0f, _e1306, (_e1306 > 0f));
-                                                    let _e1310 = ((_e1287 - _e1288) * _e1300);
-                                                    let _e1312 = select(0f, _e1310, (_e1310 > 0f));
-                                                    let _e1314 = ((_e1304 + _e1308) + _e1312);
-                                                    if (_e1314 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e721 = phi_1213_;
+                                                let _e733 = ((10u * _e245) & 31u);
+                                                let _e736 = ((_e721.member[0] >> bitcast<u32>(_e733)) & 1023u);
+                                                let _e744 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                                let _e749 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e736)) - 8388608f) * _e744)) ^ _e117)));
+                                                let _e753 = select(select(_e677.member.member_1[0], _e749, (_e749 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e736 == 1023u));
+                                                let _e755 = ((10u * _e244) & 31u);
+                                                let _e758 = ((_e721.member[0] >> bitcast<u32>(_e755)) & 1023u);
+                                                let _e766 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                                let _e771 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e758)) - 8388608f) * _e766)) ^ _e117)));
+                                                let _e775 = select(select(_e677.member.member_1[1], _e771, (_e771 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e758 == 1023u));
+                                                let _e777 = ((10u * _e246) & 31u);
+                                                let _e780 = ((_e721.member[0] >> bitcast<u32>(_e777)) & 1023u);
+                                                let _e788 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                                let _e793 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e780)) - 8388608f) * _e788)) ^ _e117)));
+                                                let _e797 = select(select(_e677.member.member_1[2], _e793, (_e793 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e780 == 1023u));
+                                                let _e801 = ((_e721.member[1] >> bitcast<u32>(_e733)) & 1023u);
+                                                let _e809 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e801)) - 8388608f) * _e744)) ^ _e117)));
+                                                let _e813 = select(select(_e677.member.member_1[0], _e809, (_e809 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e801 == 1023u));
+                                                let _e816 = ((_e721.member[1] >> bitcast<u32>(_e755)) & 1023u);
+                                                let _e824 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e816)) - 8388608f) * _e766)) ^ _e117)));
+                                                let _e828 = select(select(_e677.member.member_1[1], _e824, (_e824 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e816 == 1023u));
+                                                let _e831 = ((_e721.member[1] >> bitcast<u32>(_e777)) & 1023u);
+                                                let _e839 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e831)) - 8388608f) * _e788)) ^ _e117)));
+                                                let _e843 = select(select(_e677.member.member_1[2], _e839, (_e839 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e831 == 1023u));
+                                                let _e847 = ((_e721.member[2] >> bitcast<u32>(_e733)) & 1023u);
+                                                let _e855 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e847)) - 8388608f) * _e744)) ^ _e117)));
+                                                let _e859 = select(select(_e677.member.member_1[0], _e855, (_e855 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e847 == 1023u));
+                                                let _e862 = ((_e721.member[2] >> bitcast<u32>(_e755)) & 1023u);
+                                                let _e870 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e862)) - 8388608f) * _e766)) ^ _e117)));
+                                                let _e874 = select(select(_e677.member.member_1[1], _e870, (_e870 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e862 == 1023u));
+                                                let _e877 = ((_e721.member[2] >> bitcast<u32>(_e777)) & 1023u);
+                                                let _e885 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e877)) - 8388608f) * _e788)) ^ _e117)));
+                                                let _e889 = select(select(_e677.member.member_1[2], _e885, (_e885 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e877 == 1023u));
+                                                let _e893 = (_e797 - _e446);
+                                                let _e896 = (((_e753 - _e309) * _e485) - (_e893 * _e349));
+                                                let _e899 = (((_e775 - _e378) * _e485) - (_e893 * _e417));
+                                                let _e902 = (_e843 - _e446);
+                                                let _e905 = (((_e813 - _e309) * _e485) - (_e902 * _e349));
+                                                let _e908 = (((_e828 - _e378) * _e485) - (_e902 * _e417));
+                                                let _e911 = (_e889 - _e446);
+                                                let _e914 = (((_e859 - _e309) * _e485) - (_e911 * _e349));
+                                                let _e917 = (((_e874 - _e378) * _e485) - (_e911 * _e417));
+                                                let _e918 = (_e914 * _e908);
+                                                let _e919 = (_e917 * _e905);
+                                                let _e920 = (_e896 * _e917);
+                                                let _e921 = (_e899 * _e914);
+                                                let _e922 = (_e905 * _e899);
+                                                let _e923 = (_e908 * _e896);
+                                                let _e928 = (((_e918 >= _e919) && (_e920 >= _e921)) && (_e922 >= _e923));
+                                                if (_e928 || (((_e918 <= _e919) && (_e920 <= _e921)) && (_e922 <= _e923))) {
+                                                    let _e935 = select(-1f, 1f, _e928);
+                                                    let _e937 = ((_e918 - _e919) * _e935);
+                                                    let _e939 = select(0f, _e937, (_e937 > 0f));
+                                                    let _e941 = ((_e920 - _e921) * _e935);
+                                                    let _e943 = select(0f, _e941, (_e941 > 0f));
+                                                    let _e945 = ((_e922 - _e923) * _e935);
+                                                    let _e947 = select(0f, _e945, (_e945 > 0f));
+                                                    let _e949 = ((_e939 + _e943) + _e947);
+                                                    if (_e949 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2359_ = type_21();
                                                         phi_2360_ = true;
                                                         phi_2361_ = false;
                                                     } else {
-                                                        let _e1317 = select(_e1270, _e1261, (_e1261 < _e1270));
-                                                        if (select(_e1279, _e1317, (_e1317 < _e1279)) > 0f) {
+                                                        let _e952 = select(_e905, _e896, (_e896 < _e905));
+                                                        if (select(_e914, _e952, (_e952 < _e914)) > 0f) {
                                                             phi_1651_ = true;
                                                         } else {
-                                                            let _e1322 = select(_e1270, _e1261, (_e1261 > _e1270));
-                                                            phi_1651_ = (select(_e1279, _e1322, (_e1322 > _e1279)) < 0f);
+                                                            let _e957 = select(_e905, _e896, (_e896 > _e905));
+                                                            phi_1651_ = (select(_e914, _e957, (_e957 > _e914)) < 0f);
                                                         }
-                                                        let _e1327 = phi_1651_;
-                                                        if _e1327 {
+                                                        let _e962 = phi_1651_;
+                                                        if _e962 {
                                                             phi_2356_ = type_21();
                                                             phi_2357_ = true;
                                                             phi_2358_ = false;
                                                         } else {
-                                                            let _e1329 = select(_e1273, _e1264, (_e1264 < _e1273));
-                                                            if (select(_e1282, _e1329, (_e1329 < _e1282)) > 0f) {
+                                                            let _e964 = select(_e908, _e899, (_e899 < _e908));
+                                                            if (select(_e917, _e964, (_e964 < _e917)) > 0f) {
                                                                 phi_1680_ = true;
                                                             } else {
-                                                                let _e1334 = select(_e1273, _e1264, (_e1264 > _e1273));
-                                                                phi_1680_ = (select(_e1282, _e1334, (_e1334 > _e1282)) < 0f);
+                                                                let _e969 = select(_e908, _e899, (_e899 > _e908));
+                                                                phi_1680_ = (select(_e917, _e969, (_e969 > _e917)) < 0f);
                                                             }
-                                                            let _e1339 = phi_1680_;
-                                                            if _e1339 {
+                                                            let _e974 = phi_1680_;
+                                                            if _e974 {
                                                                 phi_2354_ = type_21();
                                                                 phi_2355_ = false;
                                                             } else {
-                                                                let _e1341 = select(_e1178, _e1118, (_e1118 < _e1178));
-                                                                let _e1345 = select(_e1178, _e1118, (_e1118 > _e1178));
-                                                                let _e1349 = select(_e1193, _e1140, (_e1140 < _e1193));
-                                                                let _e1353 = select(_e1193, _e1140, (_e1140 > _e1193));
-                                                                let _e1357 = select(_e1208, _e1162, (_e1162 < _e1208));
-                                                                let _e1361 = select(_e1208, _e1162, (_e1162 > _e1208));
-                                                                let _e1366 = ((select(_e1224, _e1341, (_e1341 < _e1224)) - _e347) * _e352);
-                                                                let _e1367 = ((select(_e1224, _e1345, (_e1345 > _e1224)) - _e348) * _e352);
-                                                                let _e1370 = ((select(_e1239, _e1349, (_e1349 < _e1239)) - _e415) * _e420);
-                                                                let _e1371 = ((select(_e1239, _e1353, (_e1353 > _e1239)) - _e416) * _e420);
-                                                                let _e1374 = ((select(_e1254, _e1357, (_e1357 < _e1254)) - _e483) * _e488);
-                                                                let _e1375 = ((select(_e1254, _e1361, (_e1361 > _e1254)) - _e484) * _e488);
-                                                                let _e1377 = select(_e1375, _e1374, (_e1374 < _e1375));
-                                                                let _e1379 = select(_e1375, _e1374, (_e1374 > _e1375));
-                                                                let _e1381 = select(_e1367, _e1366, (_e1366 < _e1367));
-                                                                let _e1383 = select(_e1371, _e1370, (_e1370 < _e1371));
-                                                                let _e1385 = select(_e1383, _e1381, (_e1381 > _e1383));
-                                                                let _e1387 = select(_e1377, _e1385, (_e1385 > _e1377));
-                                                                let _e1389 = select(_e1367, _e1366, (_e1366 > _e1367));
-                                                                let _e1391 = select(_e1371, _e1370, (_e1370 > _e1371));
-                                                                let _e1393 = select(_e1391, _e1389, (_e1389 < _e1391));
-                                                                let _e1395 = select(_e1379, _e1393, (_e1393 < _e1379));
-                                                                let _e1396 = -(_e1377);
-                                                                let _e1402 = select(_e600, _e1387, (_e1387 > _e600));
-                                                                if (_e1402 > (_e1395 + (select(_e1396, _e1379, (_e1379 > _e1396)) * 0.0000019073523f))) {
+                                                                let _e976 = select(_e813, _e753, (_e753 < _e813));
+                                                                let _e980 = select(_e813, _e753, (_e753 > _e813));
+                                                                let _e984 = select(_e828, _e775, (_e775 < _e828));
+                                                                let _e988 = select(_e828, _e775, (_e775 > _e828));
+                                                                let _e992 = select(_e843, _e797, (_e797 < _e843));
+                                                                let _e996 = select(_e843, _e797, (_e797 > _e843));
+                                                                let _e1001 = ((select(_e859, _e976, (_e976 < _e859)) - _e347) * _e352);
+                                                                let _e1002 = ((select(_e859, _e980, (_e980 > _e859)) - _e348) * _e352);
+                                                                let _e1005 = ((select(_e874, _e984, (_e984 < _e874)) - _e415) * _e420);
+                                                                let _e1006 = ((select(_e874, _e988, (_e988 > _e874)) - _e416) * _e420);
+                                                                let _e1009 = ((select(_e889, _e992, (_e992 < _e889)) - _e483) * _e488);
+                                                                let _e1010 = ((select(_e889, _e996, (_e996 > _e889)) - _e484) * _e488);
+                                                                let _e1012 = select(_e1010, _e1009, (_e1009 < _e1010));
+                                                                let _e1014 = select(_e1010, _e1009, (_e1009 > _e1010));
+                                                                let _e1016 = select(_e1002, _e1001, (_e1001 < _e1002));
+                                                                let _e1018 = select(_e1006, _e1005, (_e1005 < _e1006));
+                                                                let _e1020 = select(_e1018, _e1016, (_e1016 > _e1018));
+                                                                let _e1022 = select(_e1012, _e1020, (_e1020 > _e1012));
+                                                                let _e1024 = select(_e1002, _e1001, (_e1001 > _e1002));
+                                                                let _e1026 = select(_e1006, _e1005, (_e1005 > _e1006));
+                                                                let _e1028 = select(_e1026, _e1024, (_e1024 < _e1026));
+                                                                let _e1030 = select(_e1014, _e1028, (_e1028 < _e1014));
+                                                                let _e1031 = -(_e1012);
+                                                                let _e1037 = select(_e600, _e1022, (_e1022 > _e600));
+                                                                if (_e1037 > (_e1030 + (select(_e1031, _e1014, (_e1014 > _e1031)) * 0.0000019073523f))) {
                                                                     phi_2349_ = type_21();
                                                                     phi_2350_ = true;
                                                                 } else {
-                                                                    let _e1404 = (_e1402 > _e1054.member);
-                                                                    if _e1404 {
+                                                                    let _e1039 = (_e1037 > _e689.member);
+                                                                    if _e1039 {
                                                                         phi_2348_ = type_21();
                                                                     } else {
-                                                                        let _e1405 = vec3<f32>(_e1118, _e1140, _e1162);
-                                                                        let _e1406 = vec3<f32>(_e1178, _e1193, _e1208);
-                                                                        let _e1407 = vec3<f32>(_e1224, _e1239, _e1254);
-                                                                        let _e1408 = (_e1178 - _e1118);
-                                                                        let _e1409 = (_e1193 - _e1140);
-                                                                        let _e1410 = (_e1208 - _e1162);
-                                                                        let _e1411 = vec3<f32>(_e1408, _e1409, _e1410);
-                                                                        let _e1412 = (_e1224 - _e1178);
-                                                                        let _e1413 = (_e1239 - _e1193);
-                                                                        let _e1414 = (_e1254 - _e1208);
-                                                                        let _e1415 = vec3<f32>(_e1412, _e1413, _e1414);
-                                                                        let _e1416 = (_e1118 - _e1224);
-                                                                        let _e1417 = (_e1140 - _e1239);
-                                                                        let _e1418 = (_e1162 - _e1254);
-                                                                        let _e1419 = vec3<f32>(_e1416, _e1417, _e1418);
-                                                                        let _e1422 = bitcast<f32>((bitcast<u32>(_e1408) & 2147483647u));
-                                                                        let _e1425 = bitcast<f32>((bitcast<u32>(_e1409) & 2147483647u));
-                                                                        let _e1427 = select(_e1425, _e1422, (_e1422 > _e1425));
-                                                                        let _e1430 = bitcast<f32>((bitcast<u32>(_e1410) & 2147483647u));
-                                                                        let _e1432 = select(_e1430, _e1427, (_e1427 > _e1430));
-                                                                        let _e1435 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
-                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
-                                                                        let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
-                                                                        let _e1443 = bitcast<f32>((bitcast<u32>(_e1414) & 2147483647u));
-                                                                        let _e1445 = select(_e1443, _e1440, (_e1440 > _e1443));
-                                                                        let _e1448 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
-                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
-                                                                        let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
-                                                                        let _e1456 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
-                                                                        let _e1458 = select(_e1456, _e1453, (_e1453 > _e1456));
-                                                                        let _e1460 = select(_e1445, _e1432, (_e1432 > _e1445));
-                                                                        let _e1462 = select(_e1458, _e1460, (_e1460 > _e1458));
-                                                                        if (_e1432 == _e1462) {
-                                                                            phi_2075_ = _e1273;
-                                                                            phi_2076_ = _e1270;
-                                                                            phi_2077_ = _e1264;
-                                                                            phi_2078_ = _e1261;
-                                                                            phi_2079_ = _e1405;
-                                                                            phi_2080_ = _e1419;
-                                                                            phi_2081_ = _e1415;
-                                                                            phi_2082_ = _e1411;
+                                                                        let _e1040 = vec3<f32>(_e753, _e775, _e797);
+                                                                        let _e1041 = vec3<f32>(_e813, _e828, _e843);
+                                                                        let _e1042 = vec3<f32>(_e859, _e874, _e889);
+                                                                        let _e1043 = (_e813 - _e753);
+                                                                        let _e1044 = (_e828 - _e775);
+                                                                        let _e1045 = (_e843 - _e797);
+                                                                        let _e1046 = vec3<f32>(_e1043, _e1044, _e1045);
+                                                                        let _e1047 = (_e859 - _e813);
+                                                                        let _e1048 = (_e874 - _e828);
+                                                                        let _e1049 = (_e889 - _e843);
+                                                                        let _e1050 = vec3<f32>(_e1047, _e1048, _e1049);
+                                                                        let _e1051 = (_e753 - _e859);
+                                                                        let _e1052 = (_e775 - _e874);
+                                                                        let _e1053 = (_e797 - _e889);
+                                                                        let _e1054 = vec3<f32>(_e1051, _e1052, _e1053);
+                                                                        let _e1057 = bitcast<f32>((bitcast<u32>(_e1043) & 2147483647u));
+                                                                        let _e1060 = bitcast<f32>((bitcast<u32>(_e1044) & 2147483647u));
+                                                                        let _e1062 = select(_e1060, _e1057, (_e1057 > _e1060));
+                                                                        let _e1065 = bitcast<f32>((bitcast<u32>(_e1045) & 2147483647u));
+                                                                        let _e1067 = select(_e1065, _e1062, (_e1062 > _e1065));
+                                                                        let _e1070 = bitcast<f32>((bitcast<u32>(_e1047) & 2147483647u));
+                                                                        let _e1073 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
+                                                                        let _e1075 = select(_e1073, _e1070, (_e1070 > _e1073));
+                                                                        let _e1078 = bitcast<f32>((bitcast<u32>(_e1049) & 2147483647u));
+                                                                        let _e1080 = select(_e1078, _e1075, (_e1075 > _e1078));
+                                                                        let _e1083 = bitcast<f32>((bitcast<u32>(_e1051) & 2147483647u));
+                                                                        let _e1086 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
+                                                                        let _e1088 = select(_e1086, _e1083, (_e1083 > _e1086));
+                                                                        let _e1091 = bitcast<f32>((bitcast<u32>(_e1053) & 2147483647u));
+                                                                        let _e1093 = select(_e1091, _e1088, (_e1088 > _e1091));
+                                                                        let _e1095 = select(_e1080, _e1067, (_e1067 > _e1080));
+                                                                        let _e1097 = select(_e1093, _e1095, (_e1095 > _e1093));
+                                                                        if (_e1067 == _e1097) {
+                                                                            phi_2075_ = _e908;
+                                                                            phi_2076_ = _e905;
+                                                                            phi_2077_ = _e899;
+                                                                            phi_2078_ = _e896;
+                                                                            phi_2079_ = _e1040;
+                                                                            phi_2080_ = _e1054;
+                                                                            phi_2081_ = _e1050;
+                                                                            phi_2082_ = _e1046;
                                                                         } else {
-                                                                            let _e1464 = (_e1445 == _e1462);
-                                                                            let _e1469 = vec3(_e1464);
-                                                                            phi_2075_ = select(_e1264, _e1282, _e1464);
-                                                                            phi_2076_ = select(_e1261, _e1279, _e1464);
-                                                                            phi_2077_ = select(_e1282, _e1273, _e1464);
-                                                                            phi_2078_ = select(_e1279, _e1270, _e1464);
-                                                                            phi_2079_ = select(_e1407, _e1406, _e1469);
-                                                                            phi_2080_ = select(_e1415, _e1411, _e1469);
-                                                                            phi_2081_ = select(_e1411, _e1419, _e1469);
-                                                                            phi_2082_ = select(_e1419, _e1415, _e1469);
+                                                                            let _e1099 = (_e1080 == _e1097);
+                                                                            let _e1104 = vec3(_e1099);
+                                                                            phi_2075_ = select(_e899, _e917, _e1099);
+                                                                            phi_2076_ = select(_e896, _e914, _e1099);
+                                                                            phi_2077_ = select(_e917, _e908, _e1099);
+                                                                            phi_2078_ = select(_e914, _e905, _e1099);
+                                                                            phi_2079_ = select(_e1042, _e1041, _e1104);
+                                                                            phi_2080_ = select(_e1050, _e1046, _e1104);
+                                                                            phi_2081_ = select(_e1046, _e1054, _e1104);
+                                                                            phi_2082_ = select(_e1054, _e1050, _e1104);
                                                                         }
-                                                                        let _e1475 = phi_2075_;
-                                                                        let _e1477 = phi_2076_;
-                                                                        let _e1479 = phi_2077_;
-                                                                        let _e1481 = phi_2078_;
-                                                                        let _e1483 = phi_2079_;
-                                                                        let _e1485 = phi_2080_;
-                                                                        let _e1487 = phi_2081_;
-                                                                        let _e1489 = phi_2082_;
-                                                                        let _e1496 = ((_e1487.y * _e1485.z) - (_e1485.y * _e1487.z));
-                                                                        let _e1501 = ((_e1487.z * _e1485.x) - (_e1485.z * _e1487.x));
-                                                                        let _e1504 = ((_e1487.x * _e1485.y) - (_e1485.x * _e1487.y));
-                                                                        if (_e1304 >= _e1308) {
-                                                                            phi_2119_ = select(true, false, (_e1304 >= _e1312));
+                                                                        let _e1110 = phi_2075_;
+                                                                        let _e1112 = phi_2076_;
+                                                                        let _e1114 = phi_2077_;
+                                                                        let _e1116 = phi_2078_;
+                                                                        let _e1118 = phi_2079_;
+                                                                        let _e1120 = phi_2080_;
+                                                                        let _e1122 = phi_2081_;
+                                                                        let _e1124 = phi_2082_;
+                                                                        let _e1131 = ((_e1122.y * _e1120.z) - (_e1120.y * _e1122.z));
+                                                                        let _e1136 = ((_e1122.z * _e1120.x) - (_e1120.z * _e1122.x));
+                                                                        let _e1139 = ((_e1122.x * _e1120.y) - (_e1120.x * _e1122.y));
+                                                                        if (_e939 >= _e943) {
+                                                                            phi_2119_ = select(true, false, (_e939 >= _e947));
                                                                         } else {
                                                                             phi_2119_ = true;
                                                                         }
-                                                                        let _e1509 = phi_2119_;
-                                                                        if _e1509 {
-                                                                            phi_2128_ = select(_e1407, _e1406, vec3((_e1308 >= _e1312)));
+                                                                        let _e1144 = phi_2119_;
+                                                                        if _e1144 {
+                                                                            phi_2128_ = select(_e1042, _e1041, vec3((_e943 >= _e947)));
                                                                         } else {
-                                                                            phi_2128_ = _e1405;
+                                                                            phi_2128_ = _e1040;
                                                                         }
-                                                                        let _e1514 = phi_2128_;
-                                                                        let _e1525 = (((_e1496 * (_e1514.x - _e309)) + (_e1501 * (_e1514.y - _e378))) + (_e1504 * (_e1514.z - _e446)));
-                                                                        let _e1530 = (((_e1496 * _e349) + (_e1501 * _e417)) + (_e1504 * _e485));
-                                                                        let _e1531 = (_e1477 - _e1481);
-                                                                        let _e1532 = (_e1475 - _e1479);
-                                                                        let _e1540 = (-(((_e1481 * _e1531) + (_e1479 * _e1532))) / ((_e1531 * _e1531) + (_e1532 * _e1532)));
-                                                                        let _e1542 = select(1f, _e1540, (_e1540 < 1f));
-                                                                        let _e1544 = select(0f, _e1542, (_e1542 > 0f));
-                                                                        let _e1557 = ((_e1483.x + (_e1489.x * _e1544)) - _e309);
-                                                                        let _e1558 = ((_e1483.y + (_e1489.y * _e1544)) - _e378);
-                                                                        let _e1559 = ((_e1483.z + (_e1489.z * _e1544)) - _e446);
-                                                                        let _e1560 = (_e1559 / _e485);
-                                                                        let _e1572 = bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u));
-                                                                        let _e1575 = bitcast<f32>((bitcast<u32>(_e1558) & 2147483647u));
-                                                                        let _e1577 = select(_e1575, _e1572, (_e1572 > _e1575));
-                                                                        let _e1580 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
-                                                                        let _e1582 = select(_e1580, _e1577, (_e1577 > _e1580));
-                                                                        let _e1588 = bitcast<f32>((bitcast<u32>(_e1496) & 2147483647u));
-                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1501) & 2147483647u));
-                                                                        let _e1593 = select(_e1591, _e1588, (_e1588 > _e1591));
-                                                                        let _e1596 = bitcast<f32>((bitcast<u32>(_e1504) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1496 * _e1557) + (_e1501 * _e1558)) + (_e1504 * _e1559)) - _e1525)) & 2147483647u)) <= ((0.0000009536743f * select(_e1462, _e1582, (_e1582 > _e1462))) * select(_e1596, _e1593, (_e1593 > _e1596)))) {
-                                                                            let _e1606 = bitcast<f32>((bitcast<u32>(_e1487.x) & 2147483647u));
-                                                                            let _e1609 = bitcast<f32>((bitcast<u32>(_e1487.y) & 2147483647u));
-                                                                            let _e1611 = select(_e1609, _e1606, (_e1606 > _e1609));
-                                                                            let _e1614 = bitcast<f32>((bitcast<u32>(_e1487.z) & 2147483647u));
-                                                                            let _e1620 = bitcast<f32>((bitcast<u32>(_e1485.x) & 2147483647u));
-                                                                            let _e1623 = bitcast<f32>((bitcast<u32>(_e1485.y) & 2147483647u));
-                                                                            let _e1625 = select(_e1623, _e1620, (_e1620 > _e1623));
-                                                                            let _e1628 = bitcast<f32>((bitcast<u32>(_e1485.z) & 2147483647u));
-                                                                            let _e1632 = (bitcast<f32>((bitcast<u32>(_e1530) & 2147483647u)) > ((0.0000038146973f * select(_e1614, _e1611, (_e1611 > _e1614))) * select(_e1628, _e1625, (_e1625 > _e1628))));
-                                                                            if _e1632 {
-                                                                                phi_2293_ = (_e1525 / _e1530);
+                                                                        let _e1149 = phi_2128_;
+                                                                        let _e1160 = (((_e1131 * (_e1149.x - _e309)) + (_e1136 * (_e1149.y - _e378))) + (_e1139 * (_e1149.z - _e446)));
+                                                                        let _e1165 = (((_e1131 * _e349) + (_e1136 * _e417)) + (_e1139 * _e485));
+                                                                        let _e1166 = (_e1112 - _e1116);
+                                                                        let _e1167 = (_e1110 - _e1114);
+                                                                        let _e1175 = (-(((_e1116 * _e1166) + (_e1114 * _e1167))) / ((_e1166 * _e1166) + (_e1167 * _e1167)));
+                                                                        let _e1177 = select(1f, _e1175, (_e1175 < 1f));
+                                                                        let _e1179 = select(0f, _e1177, (_e1177 > 0f));
+                                                                        let _e1192 = ((_e1118.x + (_e1124.x * _e1179)) - _e309);
+                                                                        let _e1193 = ((_e1118.y + (_e1124.y * _e1179)) - _e378);
+                                                                        let _e1194 = ((_e1118.z + (_e1124.z * _e1179)) - _e446);
+                                                                        let _e1195 = (_e1194 / _e485);
+                                                                        let _e1207 = bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u));
+                                                                        let _e1210 = bitcast<f32>((bitcast<u32>(_e1193) & 2147483647u));
+                                                                        let _e1212 = select(_e1210, _e1207, (_e1207 > _e1210));
+                                                                        let _e1215 = bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u));
+                                                                        let _e1217 = select(_e1215, _e1212, (_e1212 > _e1215));
+                                                                        let _e1223 = bitcast<f32>((bitcast<u32>(_e1131) & 2147483647u));
+                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
+                                                                        let _e1228 = select(_e1226, _e1223, (_e1223 > _e1226));
+                                                                        let _e1231 = bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1131 * _e1192) + (_e1136 * _e1193)) + (_e1139 * _e1194)) - _e1160)) & 2147483647u)) <= ((0.0000009536743f * select(_e1097, _e1217, (_e1217 > _e1097))) * select(_e1231, _e1228, (_e1228 > _e1231)))) {
+                                                                            let _e1241 = bitcast<f32>((bitcast<u32>(_e1122.x) & 2147483647u));
+                                                                            let _e1244 = bitcast<f32>((bitcast<u32>(_e1122.y) & 2147483647u));
+                                                                            let _e1246 = select(_e1244, _e1241, (_e1241 > _e1244));
+                                                                            let _e1249 = bitcast<f32>((bitcast<u32>(_e1122.z) & 2147483647u));
+                                                                            let _e1255 = bitcast<f32>((bitcast<u32>(_e1120.x) & 2147483647u));
+                                                                            let _e1258 = bitcast<f32>((bitcast<u32>(_e1120.y) & 2147483647u));
+                                                                            let _e1260 = select(_e1258, _e1255, (_e1255 > _e1258));
+                                                                            let _e1263 = bitcast<f32>((bitcast<u32>(_e1120.z) & 2147483647u));
+                                                                            let _e1267 = (bitcast<f32>((bitcast<u32>(_e1165) & 2147483647u)) > ((0.0000038146973f * select(_e1249, _e1246, (_e1246 > _e1249))) * select(_e1263, _e1260, (_e1260 > _e1263))));
+                                                                            if _e1267 {
+                                                                                phi_2293_ = (_e1160 / _e1165);
                                                                             } else {
                                                                                 phi_2293_ = f32();
                                                                             }
-                                                                            let _e1635 = phi_2293_;
-                                                                            phi_2295_ = _e1635;
-                                                                            phi_2296_ = select(true, false, _e1632);
+                                                                            let _e1270 = phi_2293_;
+                                                                            phi_2295_ = _e1270;
+                                                                            phi_2296_ = select(true, false, _e1267);
                                                                         } else {
                                                                             phi_2295_ = f32();
                                                                             phi_2296_ = true;
                                                                         }
-                                                                        let _e1638 = phi_2295_;
-                                                                        let _e1640 = phi_2296_;
-                                                                        if _e1640 {
-                                                                            let _e1648 = (((_e1496 * (_e1557 - (_e349 * _e1560))) + (_e1501 * (_e1558 - (_e417 * _e1560)))) / _e1530);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1648) & 2147483647u)) <= _e1462) {
-                                                                                phi_2316_ = (_e1560 + _e1648);
+                                                                        let _e1273 = phi_2295_;
+                                                                        let _e1275 = phi_2296_;
+                                                                        if _e1275 {
+                                                                            let _e1283 = (((_e1131 * (_e1192 - (_e349 * _e1195))) + (_e1136 * (_e1193 - (_e417 * _e1195)))) / _e1165);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u)) <= _e1097) {
+                                                                                phi_2316_ = (_e1195 + _e1283);
                                                                             } else {
-                                                                                phi_2316_ = _e1560;
+                                                                                phi_2316_ = _e1195;
                                                                             }
-                                                                            let _e1655 = phi_2316_;
-                                                                            phi_2317_ = _e1655;
+                                                                            let _e1290 = phi_2316_;
+                                                                            phi_2317_ = _e1290;
                                                                         } else {
-                                                                            phi_2317_ = _e1638;
+                                                                            phi_2317_ = _e1273;
                                                                         }
-                                                                        let _e1657 = phi_2317_;
-                                                                        let _e1659 = select(_e1395, _e1657, (_e1657 < _e1395));
-                                                                        let _e1661 = select(_e1387, _e1659, (_e1659 > _e1387));
-                                                                        if (_e1661 >= _e600) {
-                                                                            let _e1663 = (_e1661 <= _e1054.member);
-                                                                            if _e1663 {
-                                                                                let _e1664 = (1f / _e1314);
-                                                                                phi_2340_ = type_21(_e1661, (_e1308 * _e1664), (_e1312 * _e1664), _e1082);
+                                                                        let _e1292 = phi_2317_;
+                                                                        let _e1294 = select(_e1030, _e1292, (_e1292 < _e1030));
+                                                                        let _e1296 = select(_e1022, _e1294, (_e1294 > _e1022));
+                                                                        if (_e1296 >= _e600) {
+                                                                            let _e1298 = (_e1296 <= _e689.member);
+                                                                            if _e1298 {
+                                                                                let _e1299 = (1f / _e949);
+                                                                                phi_2340_ = type_21(_e1296, (_e943 * _e1299), (_e947 * _e1299), _e717);
                                                                             } else {
                                                                                 phi_2340_ = type_21();
                                                                             }
-                                                                            let _e1669 = phi_2340_;
-                                                                            phi_2342_ = _e1669;
-                                                                            phi_2343_ = select(true, false, _e1663);
+                                                                            let _e1304 = phi_2340_;
+                                                                            phi_2342_ = _e1304;
+                                                                            phi_2343_ = select(true, false, _e1298);
                                                                         } else {
                                                                             phi_2342_ = type_21();
                                                                             phi_2343_ = true;
                                                                         }
-                                                                        let _e1672 = phi_2342_;
-                                                                        let _e1674 = phi_2343_;
-                                                                        if _e1674 {
+                                                                        let _e1307 = phi_2342_;
+                                                                        let _e1309 = phi_2343_;
+                                                                        if _e1309 {
                                                                             phi_2347_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2347_ = _e1672;
+                                                                            phi_2347_ = _e1307;
                                                                         }
-                                                                        let _e1676 = phi_2347_;
-                                                                        phi_2348_ = _e1676;
+                                                                        let _e1311 = phi_2347_;
+                                                                        phi_2348_ = _e1311;
                                                                     }
-                                                                    let _e1678 = phi_2348_;
-                                                                    phi_2349_ = _e1678;
-                                                                    phi_2350_ = _e1404;
+                                                                    let _e1313 = phi_2348_;
+                                                                    phi_2349_ = _e1313;
+                                                                    phi_2350_ = _e1039;
                                                                 }
-                                                                let _e1680 = phi_2349_;
-                                                                let _e1682 = phi_2350_;
-                                                                phi_2354_ = _e1680;
-                                                                phi_2355_ = _e1682;
+                                                                let _e1315 = phi_2349_;
+                                                                let _e1317 = phi_2350_;
+                                                                phi_2354_ = _e1315;
+                                                                phi_2355_ = _e1317;
                                                             }
-                                                            let _e1684 = phi_2354_;
-                                                            let _e1686 = phi_2355_;
-                                                            phi_2356_ = _e1684;
-                                                            phi_2357_ = _e1339;
-                                                            phi_2358_ = _e1686;
+                                                            let _e1319 = phi_2354_;
+                                                            let _e1321 = phi_2355_;
+                                                            phi_2356_ = _e1319;
+                                                            phi_2357_ = _e974;
+                                                            phi_2358_ = _e1321;
                                                         }
-                                                        let _e1688 = phi_2356_;
-                                                        let _e1690 = phi_2357_;
-                                                        let _e1692 = phi_2358_;
-                                                        phi_2359_ = _e1688;
-                                                        phi_2360_ = _e1690;
-                                                        phi_2361_ = _e1692;
+                                                        let _e1323 = phi_2356_;
+                                                        let _e1325 = phi_2357_;
+                                                        let _e1327 = phi_2358_;
+                                                        phi_2359_ = _e1323;
+                                                        phi_2360_ = _e1325;
+                                                        phi_2361_ = _e1327;
                                                     }
-                                                    let _e1694 = phi_2359_;
-                                                    let _e1696 = phi_2360_;
-                                                    let _e1698 = phi_2361_;
-                                                    phi_2369_ = _e1694;
-                                                    phi_2370_ = select(_e1698, true, _e1696);
+                                                    let _e1329 = phi_2359_;
+                                                    let _e1331 = phi_2360_;
+                                                    let _e1333 = phi_2361_;
+                                                    phi_2369_ = _e1329;
+                                                    phi_2370_ = select(_e1333, true, _e1331);
                                                 } else {
                                                     phi_2369_ = type_21();
                                                     phi_2370_ = true;
                                                 }
-                                                let _e1701 = phi_2369_;
-                                                let _e1703 = phi_2370_;
-                                                if _e1703 {
+                                                let _e1336 = phi_2369_;
+                                                let _e1338 = phi_2370_;
+                                                if _e1338 {
                                                     phi_2374_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2374_ = _e1701;
+                                                    phi_2374_ = _e1336;
                                                 }
-                                                let _e1705 = phi_2374_;
-                                                if (_e1705.member_3 != 4294967295u) {
-                                                    if (_e1082 != 4294967295u) {
-                                                        phi_2385_ = type_32(_e1054.member, true);
+                                                let _e1340 = phi_2374_;
+                                                if (_e1340.member_3 != 4294967295u) {
+                                                    if (_e717 != 4294967295u) {
+                                                        phi_2385_ = type_32(_e689.member, true);
                                                     } else {
-                                                        phi_2385_ = _e1054;
+                                                        phi_2385_ = _e689;
                                                     }
-                                                    let _e1713 = phi_2385_;
-                                                    phi_2386_ = _e1713;
+                                                    let _e1348 = phi_2385_;
+                                                    phi_2386_ = _e1348;
                                                 } else {
-                                                    phi_2386_ = _e1054;
+                                                    phi_2386_ = _e689;
                                                 }
-                                                let _e1715 = phi_2386_;
-                                                phi_1147_ = _e1715;
+                                                let _e1350 = phi_2386_;
+                                                phi_1147_ = _e1350;
                                             } else {
                                                 phi_1147_ = type_32();
                                             }
-                                            let _e1717 = phi_1147_;
+                                            let _e1352 = phi_1147_;
                                             continue;
                                             continuing {
-                                                phi_1146_ = _e1717;
-                                                phi_1149_ = _e1069;
-                                                phi_3467_ = _e632;
-                                                break if !(_e1075);
+                                                phi_1146_ = _e1352;
+                                                phi_1149_ = _e704;
+                                                phi_3470_ = _e632;
+                                                break if !(_e710);
                                             }
                                         }
-                                        let _e1720 = phi_3467_;
-                                        phi_3642_ = _e1720;
-                                        if _e1720 {
+                                        let _e1355 = phi_3470_;
+                                        phi_3645_ = _e1355;
+                                        if _e1355 {
                                             break;
                                         }
-                                        let _e1722 = local_10;
-                                        phi_3646_ = _e1720;
-                                        let _e1887 = local_12;
-                                        phi_3401_ = _e1887;
-                                        phi_3402_ = false;
-                                        phi_3403_ = select(_e675, 0u, _e1722.member_1);
-                                        phi_3404_ = _e677;
+                                        phi_3704_ = _e1355;
+                                        let _e1877 = local_11;
+                                        phi_2387_ = _e1877;
                                     } else {
-                                        let _e687 = (_e677.member_1 < _e82);
-                                        if _e687 {
-                                            if _e687 {
+                                        phi_3704_ = _e632;
+                                        phi_2387_ = _e634;
+                                    }
+                                    let _e1357 = phi_3704_;
+                                    let _e1359 = phi_2387_;
+                                    if _e681 {
+                                        phi_3394_ = bool();
+                                        phi_3395_ = u32();
+                                        phi_3396_ = type_49();
+                                    } else {
+                                        let _e1360 = (_e677.member_1 < _e82);
+                                        if _e1360 {
+                                            if _e1360 {
                                             } else {
-                                                phi_3642_ = true;
+                                                phi_3645_ = true;
                                                 break;
                                             }
-                                            let _e689 = global_5.member[_e677.member_1];
-                                            phi_2414_ = _e689;
+                                            let _e1362 = global_5.member[_e677.member_1];
+                                            phi_2408_ = _e1362;
                                         } else {
-                                            phi_2414_ = type_36(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2408_ = type_36(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e691 = phi_2414_;
-                                        let _e706 = ((10u * _e245) & 31u);
-                                        let _e709 = ((_e691.member[0] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e717 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                        let _e722 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e117)));
-                                        let _e726 = select(select(_e677.member.member_1[0], _e722, (_e722 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e709 == 1023u));
-                                        let _e728 = ((10u * _e244) & 31u);
-                                        let _e731 = ((_e691.member[0] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e739 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                        let _e744 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e117)));
-                                        let _e748 = select(select(_e677.member.member_1[1], _e744, (_e744 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e731 == 1023u));
-                                        let _e750 = ((10u * _e246) & 31u);
-                                        let _e753 = ((_e691.member[0] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e761 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                        let _e766 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e117)));
-                                        let _e770 = select(select(_e677.member.member_1[2], _e766, (_e766 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e753 == 1023u));
-                                        let _e773 = ((_e691.member[1] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e781 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e117)));
-                                        let _e785 = select(select(_e677.member.member_1[0], _e781, (_e781 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e773 == 1023u));
-                                        let _e788 = ((_e691.member[1] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e796 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e117)));
-                                        let _e800 = select(select(_e677.member.member_1[1], _e796, (_e796 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e788 == 1023u));
-                                        let _e803 = ((_e691.member[1] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e811 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e117)));
-                                        let _e815 = select(select(_e677.member.member_1[2], _e811, (_e811 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e803 == 1023u));
-                                        let _e821 = ((_e691.member_1[0] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e829 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e117)));
-                                        let _e833 = select(select(_e677.member.member_1[0], _e829, (_e829 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e821 == 1023u));
-                                        let _e836 = ((_e691.member_1[0] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e844 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e117)));
-                                        let _e848 = select(select(_e677.member.member_1[1], _e844, (_e844 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e836 == 1023u));
-                                        let _e851 = ((_e691.member_1[0] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e859 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e117)));
-                                        let _e863 = select(select(_e677.member.member_1[2], _e859, (_e859 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e851 == 1023u));
-                                        let _e866 = ((_e691.member_1[1] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e874 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e117)));
-                                        let _e878 = select(select(_e677.member.member_1[0], _e874, (_e874 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e866 == 1023u));
-                                        let _e881 = ((_e691.member_1[1] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e889 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e117)));
-                                        let _e893 = select(select(_e677.member.member_1[1], _e889, (_e889 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e881 == 1023u));
-                                        let _e896 = ((_e691.member_1[1] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e904 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e117)));
-                                        let _e908 = select(select(_e677.member.member_1[2], _e904, (_e904 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e896 == 1023u));
-                                        let _e913 = type_49(type_41(array<f32, 3>(_e726, _e748, _e770), array<f32, 3>(_e785, _e800, _e815)), _e691.member_2);
-                                        let _e918 = type_49(type_41(array<f32, 3>(_e833, _e848, _e863), array<f32, 3>(_e878, _e893, _e908)), _e691.member_3);
-                                        let _e924 = ((_e726 - _e347) * _e352);
-                                        let _e925 = ((_e833 - _e347) * _e352);
-                                        let _e926 = ((_e785 - _e348) * _e352);
-                                        let _e927 = ((_e878 - _e348) * _e352);
-                                        let _e932 = ((_e748 - _e415) * _e420);
-                                        let _e933 = ((_e848 - _e415) * _e420);
-                                        let _e934 = ((_e800 - _e416) * _e420);
-                                        let _e935 = ((_e893 - _e416) * _e420);
-                                        let _e940 = ((_e770 - _e483) * _e488);
-                                        let _e941 = ((_e863 - _e483) * _e488);
-                                        let _e942 = ((_e815 - _e484) * _e488);
-                                        let _e943 = ((_e908 - _e484) * _e488);
-                                        let _e945 = select(_e942, _e940, (_e940 < _e942));
-                                        let _e947 = select(_e943, _e941, (_e941 < _e943));
-                                        let _e949 = select(_e942, _e940, (_e940 > _e942));
-                                        let _e951 = select(_e943, _e941, (_e941 > _e943));
-                                        let _e953 = select(_e926, _e924, (_e924 < _e926));
-                                        let _e955 = select(_e927, _e925, (_e925 < _e927));
-                                        let _e957 = select(_e934, _e932, (_e932 < _e934));
-                                        let _e959 = select(_e935, _e933, (_e933 < _e935));
-                                        let _e961 = select(_e957, _e953, (_e953 > _e957));
-                                        let _e963 = select(_e959, _e955, (_e955 > _e959));
-                                        let _e965 = select(_e945, _e961, (_e961 > _e945));
-                                        let _e967 = select(_e947, _e963, (_e963 > _e947));
-                                        let _e969 = select(_e926, _e924, (_e924 > _e926));
-                                        let _e971 = select(_e927, _e925, (_e925 > _e927));
-                                        let _e973 = select(_e934, _e932, (_e932 > _e934));
-                                        let _e975 = select(_e935, _e933, (_e933 > _e935));
-                                        let _e977 = select(_e973, _e969, (_e969 < _e973));
-                                        let _e979 = select(_e975, _e971, (_e971 < _e975));
-                                        let _e984 = -(_e945);
-                                        let _e985 = -(_e947);
-                                        let _e992 = (select(_e949, _e977, (_e977 < _e949)) + (select(_e984, _e949, (_e949 > _e984)) * 0.0000019073523f));
-                                        let _e993 = (select(_e951, _e979, (_e979 < _e951)) + (select(_e985, _e951, (_e951 > _e985)) * 0.0000019073523f));
-                                        let _e995 = select(_e600, _e965, (_e965 > _e600));
-                                        let _e997 = select(_e600, _e967, (_e967 > _e600));
-                                        let _e1002 = (_e995 <= select(_e634.member, _e992, (_e992 < _e634.member)));
-                                        let _e1003 = (_e997 <= select(_e634.member, _e993, (_e993 < _e634.member)));
-                                        let _e1004 = (_e995 <= _e997);
-                                        if _e1002 {
-                                            if _e1003 {
-                                                if _e1004 {
-                                                    phi_3300_ = _e918;
+                                        let _e1364 = phi_2408_;
+                                        let _e1379 = ((10u * _e245) & 31u);
+                                        let _e1382 = ((_e1364.member[0] >> bitcast<u32>(_e1379)) & 1023u);
+                                        let _e1390 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                        let _e1395 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1382)) - 8388608f) * _e1390)) ^ _e117)));
+                                        let _e1399 = select(select(_e677.member.member_1[0], _e1395, (_e1395 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1382 == 1023u));
+                                        let _e1401 = ((10u * _e244) & 31u);
+                                        let _e1404 = ((_e1364.member[0] >> bitcast<u32>(_e1401)) & 1023u);
+                                        let _e1412 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                        let _e1417 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1404)) - 8388608f) * _e1412)) ^ _e117)));
+                                        let _e1421 = select(select(_e677.member.member_1[1], _e1417, (_e1417 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1404 == 1023u));
+                                        let _e1423 = ((10u * _e246) & 31u);
+                                        let _e1426 = ((_e1364.member[0] >> bitcast<u32>(_e1423)) & 1023u);
+                                        let _e1434 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                        let _e1439 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1426)) - 8388608f) * _e1434)) ^ _e117)));
+                                        let _e1443 = select(select(_e677.member.member_1[2], _e1439, (_e1439 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1426 == 1023u));
+                                        let _e1446 = ((_e1364.member[1] >> bitcast<u32>(_e1379)) & 1023u);
+                                        let _e1454 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1446)) - 8388608f) * _e1390)) ^ _e117)));
+                                        let _e1458 = select(select(_e677.member.member_1[0], _e1454, (_e1454 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1446 == 1023u));
+                                        let _e1461 = ((_e1364.member[1] >> bitcast<u32>(_e1401)) & 1023u);
+                                        let _e1469 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1461)) - 8388608f) * _e1412)) ^ _e117)));
+                                        let _e1473 = select(select(_e677.member.member_1[1], _e1469, (_e1469 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1461 == 1023u));
+                                        let _e1476 = ((_e1364.member[1] >> bitcast<u32>(_e1423)) & 1023u);
+                                        let _e1484 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1476)) - 8388608f) * _e1434)) ^ _e117)));
+                                        let _e1488 = select(select(_e677.member.member_1[2], _e1484, (_e1484 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1476 == 1023u));
+                                        let _e1494 = ((_e1364.member_1[0] >> bitcast<u32>(_e1379)) & 1023u);
+                                        let _e1502 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1494)) - 8388608f) * _e1390)) ^ _e117)));
+                                        let _e1506 = select(select(_e677.member.member_1[0], _e1502, (_e1502 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1494 == 1023u));
+                                        let _e1509 = ((_e1364.member_1[0] >> bitcast<u32>(_e1401)) & 1023u);
+                                        let _e1517 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1509)) - 8388608f) * _e1412)) ^ _e117)));
+                                        let _e1521 = select(select(_e677.member.member_1[1], _e1517, (_e1517 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1509 == 1023u));
+                                        let _e1524 = ((_e1364.member_1[0] >> bitcast<u32>(_e1423)) & 1023u);
+                                        let _e1532 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1524)) - 8388608f) * _e1434)) ^ _e117)));
+                                        let _e1536 = select(select(_e677.member.member_1[2], _e1532, (_e1532 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1524 == 1023u));
+                                        let _e1539 = ((_e1364.member_1[1] >> bitcast<u32>(_e1379)) & 1023u);
+                                        let _e1547 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1539)) - 8388608f) * _e1390)) ^ _e117)));
+                                        let _e1551 = select(select(_e677.member.member_1[0], _e1547, (_e1547 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1539 == 1023u));
+                                        let _e1554 = ((_e1364.member_1[1] >> bitcast<u32>(_e1401)) & 1023u);
+                                        let _e1562 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1554)) - 8388608f) * _e1412)) ^ _e117)));
+                                        let _e1566 = select(select(_e677.member.member_1[1], _e1562, (_e1562 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1554 == 1023u));
+                                        let _e1569 = ((_e1364.member_1[1] >> bitcast<u32>(_e1423)) & 1023u);
+                                        let _e1577 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1569)) - 8388608f) * _e1434)) ^ _e117)));
+                                        let _e1581 = select(select(_e677.member.member_1[2], _e1577, (_e1577 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1569 == 1023u));
+                                        let _e1586 = type_49(type_41(array<f32, 3>(_e1399, _e1421, _e1443), array<f32, 3>(_e1458, _e1473, _e1488)), _e1364.member_2);
+                                        let _e1591 = type_49(type_41(array<f32, 3>(_e1506, _e1521, _e1536), array<f32, 3>(_e1551, _e1566, _e1581)), _e1364.member_3);
+                                        let _e1597 = ((_e1399 - _e347) * _e352);
+                                        let _e1598 = ((_e1506 - _e347) * _e352);
+                                        let _e1599 = ((_e1458 - _e348) * _e352);
+                                        let _e1600 = ((_e1551 - _e348) * _e352);
+                                        let _e1605 = ((_e1421 - _e415) * _e420);
+                                        let _e1606 = ((_e1521 - _e415) * _e420);
+                                        let _e1607 = ((_e1473 - _e416) * _e420);
+                                        let _e1608 = ((_e1566 - _e416) * _e420);
+                                        let _e1613 = ((_e1443 - _e483) * _e488);
+                                        let _e1614 = ((_e1536 - _e483) * _e488);
+                                        let _e1615 = ((_e1488 - _e484) * _e488);
+                                        let _e1616 = ((_e1581 - _e484) * _e488);
+                                        let _e1618 = select(_e1615, _e1613, (_e1613 < _e1615));
+                                        let _e1620 = select(_e1616, _e1614, (_e1614 < _e1616));
+                                        let _e1622 = select(_e1615, _e1613, (_e1613 > _e1615));
+                                        let _e1624 = select(_e1616, _e1614, (_e1614 > _e1616));
+                                        let _e1626 = select(_e1599, _e1597, (_e1597 < _e1599));
+                                        let _e1628 = select(_e1600, _e1598, (_e1598 < _e1600));
+                                        let _e1630 = select(_e1607, _e1605, (_e1605 < _e1607));
+                                        let _e1632 = select(_e1608, _e1606, (_e1606 < _e1608));
+                                        let _e1634 = select(_e1630, _e1626, (_e1626 > _e1630));
+                                        let _e1636 = select(_e1632, _e1628, (_e1628 > _e1632));
+                                        let _e1638 = select(_e1618, _e1634, (_e1634 > _e1618));
+                                        let _e1640 = select(_e1620, _e1636, (_e1636 > _e1620));
+                                        let _e1642 = select(_e1599, _e1597, (_e1597 > _e1599));
+                                        let _e1644 = select(_e1600, _e1598, (_e1598 > _e1600));
+                                        let _e1646 = select(_e1607, _e1605, (_e1605 > _e1607));
+                                        let _e1648 = select(_e1608, _e1606, (_e1606 > _e1608));
+                                        let _e1650 = select(_e1646, _e1642, (_e1642 < _e1646));
+                                        let _e1652 = select(_e1648, _e1644, (_e1644 < _e1648));
+                                        let _e1657 = -(_e1618);
+                                        let _e1658 = -(_e1620);
+                                        let _e1665 = (select(_e1622, _e1650, (_e1650 < _e1622)) + (select(_e1657, _e1622, (_e1622 > _e1657)) * 0.0000019073523f));
+                                        let _e1666 = (select(_e1624, _e1652, (_e1652 < _e1624)) + (select(_e1658, _e1624, (_e1624 > _e1658)) * 0.0000019073523f));
+                                        let _e1668 = select(_e600, _e1638, (_e1638 > _e600));
+                                        let _e1670 = select(_e600, _e1640, (_e1640 > _e600));
+                                        let _e1675 = (_e1668 <= select(_e1359.member, _e1665, (_e1665 < _e1359.member)));
+                                        let _e1676 = (_e1670 <= select(_e1359.member, _e1666, (_e1666 < _e1359.member)));
+                                        let _e1677 = (_e1668 <= _e1670);
+                                        if _e1675 {
+                                            if _e1676 {
+                                                if _e1677 {
+                                                    phi_3294_ = _e1591;
                                                 } else {
-                                                    phi_3300_ = _e913;
+                                                    phi_3294_ = _e1586;
                                                 }
-                                                let _e1006 = phi_3300_;
-                                                let _e1014 = (_e675 % 128u);
-                                                let _e1015 = (_e1014 < 128u);
-                                                if _e1015 {
+                                                let _e1679 = phi_3294_;
+                                                let _e1686 = (_e675 % 128u);
+                                                let _e1687 = (_e1686 < 128u);
+                                                if _e1687 {
                                                 } else {
-                                                    phi_3642_ = true;
+                                                    phi_3645_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1014] = _e1006.member_1;
-                                                if _e1015 {
+                                                local_6[_e1686] = _e1679.member_1;
+                                                if _e1687 {
                                                 } else {
-                                                    phi_3642_ = true;
+                                                    phi_3645_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1014] = _e1006.member.member[0];
-                                                if _e1015 {
+                                                local_5[_e1686] = _e1679.member.member[0];
+                                                if _e1687 {
                                                 } else {
-                                                    phi_3642_ = true;
+                                                    phi_3645_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1014] = _e1006.member.member[1];
-                                                if _e1015 {
+                                                local_4[_e1686] = _e1679.member.member[1];
+                                                if _e1687 {
                                                 } else {
-                                                    phi_3642_ = true;
+                                                    phi_3645_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1014] = _e1006.member.member[2];
-                                                if _e1015 {
+                                                local_3[_e1686] = _e1679.member.member[2];
+                                                if _e1687 {
                                                 } else {
-                                                    phi_3642_ = true;
+                                                    phi_3645_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1014] = _e1006.member.member_1[0];
-                                                if _e1015 {
+                                                local_2[_e1686] = _e1679.member.member_1[0];
+                                                if _e1687 {
                                                 } else {
-                                                    phi_3642_ = true;
+                                                    phi_3645_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1014] = _e1006.member.member_1[1];
-                                                if _e1015 {
+                                                local_1[_e1686] = _e1679.member.member_1[1];
+                                                if _e1687 {
                                                 } else {
-                                                    phi_3642_ = true;
+                                                    phi_3645_ = true;
                                                     break;
                                                 }
-                                                local[_e1014] = _e1006.member.member_1[2];
-                                                if _e1015 {
+                                                local[_e1686] = _e1679.member.member_1[2];
+                                                if _e1687 {
                                                 } else {
-                                                    phi_3642_ = true;
+                                                    phi_3645_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1014] = select(_e997, _e995, !(_e1004));
-                                                if _e1004 {
-                                                    phi_3377_ = _e913;
+                                                local_7[_e1686] = select(_e1668, _e1670, _e1677);
+                                                if _e1677 {
+                                                    phi_3370_ = _e1586;
                                                 } else {
-                                                    phi_3377_ = _e918;
+                                                    phi_3370_ = _e1591;
                                                 }
-                                                let _e1032 = phi_3377_;
-                                                phi_3378_ = (_e675 + 1u);
-                                                phi_3379_ = _e1032;
+                                                let _e1704 = phi_3370_;
+                                                phi_3371_ = (_e675 + 1u);
+                                                phi_3372_ = _e1704;
                                             } else {
-                                                phi_3378_ = u32();
-                                                phi_3379_ = type_49();
+                                                phi_3371_ = u32();
+                                                phi_3372_ = type_49();
                                             }
-                                            let _e1034 = phi_3378_;
-                                            let _e1036 = phi_3379_;
-                                            phi_3381_ = _e1034;
-                                            phi_3382_ = _e1036;
-                                            phi_3383_ = select(true, false, _e1003);
+                                            let _e1706 = phi_3371_;
+                                            let _e1708 = phi_3372_;
+                                            phi_3374_ = _e1706;
+                                            phi_3375_ = _e1708;
+                                            phi_3376_ = select(true, false, _e1676);
                                         } else {
-                                            phi_3381_ = u32();
-                                            phi_3382_ = type_49();
-                                            phi_3383_ = true;
+                                            phi_3374_ = u32();
+                                            phi_3375_ = type_49();
+                                            phi_3376_ = true;
                                         }
-                                        let _e1039 = phi_3381_;
-                                        let _e1041 = phi_3382_;
-                                        let _e1043 = phi_3383_;
-                                        if _e1043 {
-                                            if _e1002 {
-                                                phi_3390_ = _e913;
+                                        let _e1711 = phi_3374_;
+                                        let _e1713 = phi_3375_;
+                                        let _e1715 = phi_3376_;
+                                        if _e1715 {
+                                            if _e1675 {
+                                                phi_3383_ = _e1586;
                                             } else {
-                                                phi_3390_ = _e918;
+                                                phi_3383_ = _e1591;
                                             }
-                                            let _e1045 = phi_3390_;
-                                            phi_3395_ = select(_e1003, true, _e1002);
-                                            phi_3397_ = _e1045;
+                                            let _e1717 = phi_3383_;
+                                            phi_3388_ = select(_e1676, true, _e1675);
+                                            phi_3390_ = _e1717;
                                         } else {
-                                            phi_3395_ = _e673;
-                                            phi_3397_ = _e1041;
+                                            phi_3388_ = _e673;
+                                            phi_3390_ = _e1713;
                                         }
-                                        let _e1048 = phi_3395_;
-                                        let _e1050 = phi_3397_;
-                                        phi_3646_ = _e632;
-                                        phi_3401_ = _e634;
-                                        phi_3402_ = _e1048;
-                                        phi_3403_ = select(_e1039, _e675, _e1043);
-                                        phi_3404_ = _e1050;
+                                        let _e1720 = phi_3388_;
+                                        let _e1722 = phi_3390_;
+                                        phi_3394_ = _e1720;
+                                        phi_3395_ = select(_e1711, _e675, _e1715);
+                                        phi_3396_ = _e1722;
                                     }
-                                    let _e1726 = phi_3646_;
-                                    let _e1728 = phi_3401_;
-                                    let _e1730 = phi_3402_;
-                                    let _e1732 = phi_3403_;
-                                    let _e1734 = phi_3404_;
-                                    phi_3645_ = _e1726;
-                                    phi_3405_ = _e1728;
-                                    phi_3406_ = _e1730;
-                                    phi_3407_ = (_e638 - 1u);
-                                    phi_3408_ = _e1732;
-                                    phi_3409_ = _e1734;
+                                    let _e1725 = phi_3394_;
+                                    let _e1727 = phi_3395_;
+                                    let _e1729 = phi_3396_;
+                                    if _e681 {
+                                        phi_3406_ = select(_e675, 0u, _e1359.member_1);
+                                        phi_3407_ = _e677;
+                                    } else {
+                                        phi_3406_ = _e1727;
+                                        phi_3407_ = _e1729;
+                                    }
+                                    let _e1733 = phi_3406_;
+                                    let _e1735 = phi_3407_;
+                                    phi_3648_ = _e1357;
+                                    phi_3408_ = _e1359;
+                                    phi_3409_ = (_e636 - 1u);
+                                    phi_3410_ = select(_e1725, false, _e681);
+                                    phi_3411_ = _e1733;
+                                    phi_3412_ = _e1735;
                                 } else {
-                                    phi_3645_ = _e632;
-                                    phi_3405_ = _e634;
-                                    phi_3406_ = _e673;
-                                    phi_3407_ = _e638;
-                                    phi_3408_ = _e675;
-                                    phi_3409_ = _e677;
+                                    phi_3648_ = _e632;
+                                    phi_3408_ = _e634;
+                                    phi_3409_ = _e636;
+                                    phi_3410_ = _e673;
+                                    phi_3411_ = _e675;
+                                    phi_3412_ = _e677;
                                 }
-                                let _e1736 = phi_3645_;
-                                let _e1738 = phi_3405_;
-                                let _e1740 = phi_3406_;
-                                let _e1742 = phi_3407_;
-                                let _e1744 = phi_3408_;
-                                let _e1746 = phi_3409_;
-                                phi_3644_ = _e1736;
-                                phi_3410_ = _e1738;
-                                phi_3411_ = _e1740;
-                                phi_3412_ = _e1742;
-                                phi_3413_ = _e1744;
-                                phi_3414_ = _e1746;
+                                let _e1738 = phi_3648_;
+                                let _e1740 = phi_3408_;
+                                let _e1742 = phi_3409_;
+                                let _e1744 = phi_3410_;
+                                let _e1746 = phi_3411_;
+                                let _e1748 = phi_3412_;
+                                phi_3647_ = _e1738;
+                                phi_3413_ = _e1740;
+                                phi_3414_ = _e1742;
+                                phi_3415_ = _e1744;
+                                phi_3416_ = _e1746;
+                                phi_3417_ = _e1748;
                             } else {
-                                phi_3644_ = _e632;
-                                phi_3410_ = type_32();
-                                phi_3411_ = bool();
-                                phi_3412_ = u32();
-                                phi_3413_ = u32();
-                                phi_3414_ = type_49();
+                                phi_3647_ = _e632;
+                                phi_3413_ = type_32();
+                                phi_3414_ = u32();
+                                phi_3415_ = bool();
+                                phi_3416_ = u32();
+                                phi_3417_ = type_49();
                             }
-                            let _e1748 = phi_3644_;
-                            let _e1750 = phi_3410_;
-                            let _e1752 = phi_3411_;
-                            let _e1754 = phi_3412_;
-                            let _e1756 = phi_3413_;
-                            let _e1758 = phi_3414_;
-                            phi_3643_ = _e1748;
-                            phi_1020_ = _e1750;
-                            phi_1023_ = _e1752;
-                            phi_1025_ = _e1754;
-                            phi_1027_ = _e1756;
-                            phi_1029_ = _e1758;
-                            phi_3415_ = _e646;
+                            let _e1750 = phi_3647_;
+                            let _e1752 = phi_3413_;
+                            let _e1754 = phi_3414_;
+                            let _e1756 = phi_3415_;
+                            let _e1758 = phi_3416_;
+                            let _e1760 = phi_3417_;
+                            phi_3646_ = _e1750;
+                            phi_1020_ = _e1752;
+                            phi_1023_ = _e1754;
+                            phi_1025_ = _e1756;
+                            phi_1027_ = _e1758;
+                            phi_1029_ = _e1760;
+                            phi_3418_ = _e646;
                         } else {
-                            phi_3643_ = _e632;
+                            phi_3646_ = _e632;
                             phi_1020_ = type_32();
-                            phi_1023_ = bool();
-                            phi_1025_ = u32();
+                            phi_1023_ = u32();
+                            phi_1025_ = bool();
                             phi_1027_ = u32();
                             phi_1029_ = type_49();
-                            phi_3415_ = false;
+                            phi_3418_ = false;
                         }
-                        let _e1760 = phi_3643_;
-                        let _e1762 = phi_1020_;
-                        let _e1764 = phi_1023_;
-                        let _e1766 = phi_1025_;
-                        let _e1768 = phi_1027_;
-                        let _e1770 = phi_1029_;
-                        let _e1772 = phi_3415_;
+                        let _e1762 = phi_3646_;
+                        let _e1764 = phi_1020_;
+                        let _e1766 = phi_1023_;
+                        let _e1768 = phi_1025_;
+                        let _e1770 = phi_1027_;
+                        let _e1772 = phi_1029_;
+                        let _e1774 = phi_3418_;
                         continue;
                         continuing {
-                            phi_3473_ = _e1760;
-                            phi_1019_ = _e1762;
-                            phi_1022_ = _e1764;
-                            phi_1024_ = _e1766;
-                            phi_1026_ = _e1768;
-                            phi_1028_ = _e1770;
-                            phi_3642_ = _e1760;
-                            break if !(_e1772);
+                            phi_3476_ = _e1762;
+                            phi_1019_ = _e1764;
+                            phi_1022_ = _e1766;
+                            phi_1024_ = _e1768;
+                            phi_1026_ = _e1770;
+                            phi_1028_ = _e1772;
+                            phi_3645_ = _e1762;
+                            break if !(_e1774);
                         }
                     }
-                    let _e1775 = phi_3642_;
-                    if _e1775 {
+                    let _e1777 = phi_3645_;
+                    if _e1777 {
                         break;
                     }
-                    let _e1777 = local_11;
+                    let _e1779 = local_10;
                     if _e133 {
                     } else {
                         break;
                     }
-                    global_4.member[_e131] = select(0u, 1u, _e1777.member_1);
+                    global_4.member[_e131] = select(0u, 1u, _e1779.member_1);
                 }
             }
             break;

@@ -127,34 +127,16 @@ fn function_() {
     var phi_957_: u32;
     var phi_965_: f32;
     var phi_966_: f32;
-    var phi_3724_: bool;
+    var phi_3727_: bool;
     var phi_1062_: type_42;
-    var phi_1065_: bool;
-    var phi_1067_: u32;
+    var phi_1065_: u32;
+    var phi_1067_: bool;
     var phi_1069_: u32;
     var phi_1071_: type_49;
     var phi_1082_: bool;
     var phi_1168_: bool;
     var phi_1169_: u32;
     var phi_1170_: type_49;
-    var phi_2972_: u32;
-    var phi_2973_: u32;
-    var phi_2983_: u32;
-    var phi_2985_: u32;
-    var phi_2986_: bool;
-    var phi_3006_: u32;
-    var phi_3007_: u32;
-    var phi_3011_: type_50;
-    var phi_3373_: type_49;
-    var phi_3450_: type_49;
-    var phi_3451_: u32;
-    var phi_3452_: type_49;
-    var phi_3454_: u32;
-    var phi_3455_: type_49;
-    var phi_3456_: bool;
-    var phi_3465_: type_49;
-    var phi_3470_: bool;
-    var phi_3472_: type_49;
     var phi_1188_: type_42;
     var phi_1191_: type_7;
     var phi_1192_: type_7;
@@ -199,35 +181,54 @@ fn function_() {
     var phi_2237_: type_42;
     var phi_2238_: type_42;
     var phi_1189_: type_42;
-    var phi_3718_: bool;
-    var local_10: type_42;
+    var phi_3721_: bool;
+    var phi_3964_: bool;
+    var phi_2239_: type_42;
+    var phi_2966_: u32;
+    var phi_2967_: u32;
+    var phi_2977_: u32;
+    var phi_2979_: u32;
+    var phi_2980_: bool;
+    var phi_3000_: u32;
+    var phi_3001_: u32;
+    var phi_3005_: type_50;
+    var phi_3367_: type_49;
+    var phi_3443_: type_49;
+    var phi_3444_: u32;
+    var phi_3445_: type_49;
+    var phi_3447_: u32;
+    var phi_3448_: type_49;
+    var phi_3449_: bool;
+    var phi_3458_: type_49;
+    var phi_3463_: bool;
+    var phi_3465_: type_49;
+    var phi_3469_: bool;
+    var phi_3470_: u32;
+    var phi_3471_: type_49;
+    var phi_3481_: u32;
+    var phi_3482_: type_49;
+    var phi_3881_: bool;
+    var phi_3483_: type_42;
+    var phi_3484_: u32;
+    var phi_3485_: bool;
+    var phi_3486_: u32;
+    var phi_3487_: type_49;
+    var phi_3880_: bool;
+    var phi_3488_: type_42;
+    var phi_3489_: u32;
+    var phi_3490_: bool;
+    var phi_3491_: u32;
+    var phi_3492_: type_49;
     var phi_3879_: bool;
-    var phi_3476_: type_42;
-    var phi_3477_: bool;
-    var phi_3478_: u32;
-    var phi_3479_: type_49;
-    var phi_3878_: bool;
-    var phi_3480_: type_42;
-    var phi_3481_: bool;
-    var phi_3482_: u32;
-    var phi_3483_: u32;
-    var phi_3484_: type_49;
-    var phi_3877_: bool;
-    var phi_3485_: type_42;
-    var phi_3486_: bool;
-    var phi_3487_: u32;
-    var phi_3488_: u32;
-    var phi_3489_: type_49;
-    var phi_3876_: bool;
     var phi_1063_: type_42;
-    var phi_1066_: bool;
-    var phi_1068_: u32;
+    var phi_1066_: u32;
+    var phi_1068_: bool;
     var phi_1070_: u32;
     var phi_1072_: type_49;
-    var phi_3490_: bool;
-    var phi_3875_: bool;
+    var phi_3493_: bool;
+    var phi_3878_: bool;
+    var local_10: type_42;
     var local_11: type_42;
-    var local_12: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -591,31 +592,31 @@ fn function_() {
                         break;
                     }
                     let _e647 = local[_e631];
-                    phi_3724_ = false;
+                    phi_3727_ = false;
                     phi_1062_ = type_42(_e613, false);
-                    phi_1065_ = (_e615 <= _e613);
-                    phi_1067_ = ((3u * _e90) + 1u);
+                    phi_1065_ = ((3u * _e90) + 1u);
+                    phi_1067_ = (_e615 <= _e613);
                     phi_1069_ = 0u;
                     phi_1071_ = type_49(type_32(vec4<f32>((f32(_e622) * _e140), (f32(_e628) * _e140), (f32(_e634) * _e140), 0f), vec4<f32>((f32(_e639) * _e140), (f32(_e643) * _e140), (f32(_e647) * _e140), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
                     loop {
-                        let _e657 = phi_3724_;
+                        let _e657 = phi_3727_;
                         let _e659 = phi_1062_;
                         let _e661 = phi_1065_;
                         let _e663 = phi_1067_;
                         let _e665 = phi_1069_;
                         let _e667 = phi_1071_;
-                        local_11 = _e659;
-                        if _e661 {
+                        local_10 = _e659;
+                        if _e663 {
                             phi_1082_ = true;
                         } else {
                             phi_1082_ = (_e665 > 0u);
                         }
                         let _e670 = phi_1082_;
                         if _e670 {
-                            let _e671 = (_e663 > 0u);
+                            let _e671 = (_e661 > 0u);
                             if _e671 {
-                                if _e661 {
-                                    phi_1168_ = _e661;
+                                if _e663 {
+                                    phi_1168_ = _e663;
                                     phi_1169_ = _e665;
                                     phi_1170_ = _e667;
                                 } else {
@@ -624,49 +625,49 @@ fn function_() {
                                     let _e674 = (_e673 < 128u);
                                     if _e674 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e676 = local_7[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e678 = local_6[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e680 = local_5[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e682 = local_4[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e684 = local_3[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e686 = local_2[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e691 = local_8[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e694 = local_9[_e673];
@@ -678,782 +679,793 @@ fn function_() {
                                 let _e700 = phi_1169_;
                                 let _e702 = phi_1170_;
                                 if _e698 {
-                                    if ((_e702.member_1 & 2147483648u) != 0u) {
+                                    let _e706 = ((_e702.member_1 & 2147483648u) != 0u);
+                                    if _e706 {
                                         phi_1188_ = _e659;
                                         phi_1191_ = type_7(0u, ((_e702.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1152 = phi_1188_;
-                                            let _e1154 = phi_1191_;
-                                            local_10 = _e1152;
-                                            local_12 = _e1152;
-                                            if (_e1154.member < _e1154.member_1) {
-                                                phi_1192_ = type_7((_e1154.member + 1u), _e1154.member_1);
-                                                phi_1214_ = type_7(1u, _e1154.member);
+                                            let _e713 = phi_1188_;
+                                            let _e715 = phi_1191_;
+                                            local_11 = _e713;
+                                            if (_e715.member < _e715.member_1) {
+                                                phi_1192_ = type_7((_e715.member + 1u), _e715.member_1);
+                                                phi_1214_ = type_7(1u, _e715.member);
                                             } else {
-                                                phi_1192_ = _e1154;
+                                                phi_1192_ = _e715;
                                                 phi_1214_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1167 = phi_1192_;
-                                            let _e1169 = phi_1214_;
-                                            let _e1173 = (bitcast<i32>(_e1169.member) != 0i);
-                                            if _e1173 {
-                                                let _e1174 = ((_e702.member_1 & 268435455u) + _e1169.member_1);
-                                                let _e1175 = (_e1174 < _e92);
-                                                if _e1175 {
-                                                    if _e1175 {
+                                            let _e728 = phi_1192_;
+                                            let _e730 = phi_1214_;
+                                            let _e734 = (bitcast<i32>(_e730.member) != 0i);
+                                            if _e734 {
+                                                let _e735 = ((_e702.member_1 & 268435455u) + _e730.member_1);
+                                                let _e736 = (_e735 < _e92);
+                                                if _e736 {
+                                                    if _e736 {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1179 = global_2.member[_e1174].member_1;
-                                                    phi_1235_ = _e1179;
+                                                    let _e740 = global_2.member[_e735].member_1;
+                                                    phi_1235_ = _e740;
                                                 } else {
                                                     phi_1235_ = 4294967295u;
                                                 }
-                                                let _e1181 = phi_1235_;
-                                                if (_e1174 >= _e92) {
+                                                let _e742 = phi_1235_;
+                                                if (_e735 >= _e92) {
                                                     phi_1327_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1175 {
+                                                    if _e736 {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
                                                     if (_e619 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1188 = global_2.member[_e1174].member[_e619];
+                                                    let _e749 = global_2.member[_e735].member[_e619];
                                                     if (_e625 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1194 = global_2.member[_e1174].member[_e625];
+                                                    let _e755 = global_2.member[_e735].member[_e625];
                                                     if (_e631 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1200 = global_2.member[_e1174].member[_e631];
-                                                    let _e1202 = (3u + _e619);
-                                                    if (_e1202 < 9u) {
+                                                    let _e761 = global_2.member[_e735].member[_e631];
+                                                    let _e763 = (3u + _e619);
+                                                    if (_e763 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1208 = global_2.member[_e1174].member[_e1202];
-                                                    let _e1209 = (3u + _e625);
-                                                    if (_e1209 < 9u) {
+                                                    let _e769 = global_2.member[_e735].member[_e763];
+                                                    let _e770 = (3u + _e625);
+                                                    if (_e770 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1215 = global_2.member[_e1174].member[_e1209];
-                                                    let _e1216 = (3u + _e631);
-                                                    if (_e1216 < 9u) {
+                                                    let _e776 = global_2.member[_e735].member[_e770];
+                                                    let _e777 = (3u + _e631);
+                                                    if (_e777 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1222 = global_2.member[_e1174].member[_e1216];
-                                                    let _e1224 = (6u + _e619);
-                                                    if (_e1224 < 9u) {
+                                                    let _e783 = global_2.member[_e735].member[_e777];
+                                                    let _e785 = (6u + _e619);
+                                                    if (_e785 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1230 = global_2.member[_e1174].member[_e1224];
-                                                    let _e1231 = (6u + _e625);
-                                                    if (_e1231 < 9u) {
+                                                    let _e791 = global_2.member[_e735].member[_e785];
+                                                    let _e792 = (6u + _e625);
+                                                    if (_e792 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1237 = global_2.member[_e1174].member[_e1231];
-                                                    let _e1238 = (6u + _e631);
-                                                    if (_e1238 < 9u) {
+                                                    let _e798 = global_2.member[_e735].member[_e792];
+                                                    let _e799 = (6u + _e631);
+                                                    if (_e799 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1244 = global_2.member[_e1174].member[_e1238];
-                                                    phi_1327_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1188, _e1194, _e1200), array<f32, 3>(_e1208, _e1215, _e1222), array<f32, 3>(_e1230, _e1237, _e1244));
+                                                    let _e805 = global_2.member[_e735].member[_e799];
+                                                    phi_1327_ = array<array<f32, 3>, 3>(array<f32, 3>(_e749, _e755, _e761), array<f32, 3>(_e769, _e776, _e783), array<f32, 3>(_e791, _e798, _e805));
                                                 }
-                                                let _e1248 = phi_1327_;
-                                                let _e1256 = (_e1248[0][2] - _e461);
-                                                let _e1259 = (((_e1248[0][0] - _e324) * _e500) - (_e1256 * _e364));
-                                                let _e1262 = (((_e1248[0][1] - _e393) * _e500) - (_e1256 * _e432));
-                                                let _e1269 = (_e1248[1][2] - _e461);
-                                                let _e1272 = (((_e1248[1][0] - _e324) * _e500) - (_e1269 * _e364));
-                                                let _e1275 = (((_e1248[1][1] - _e393) * _e500) - (_e1269 * _e432));
-                                                let _e1282 = (_e1248[2][2] - _e461);
-                                                let _e1285 = (((_e1248[2][0] - _e324) * _e500) - (_e1282 * _e364));
-                                                let _e1288 = (((_e1248[2][1] - _e393) * _e500) - (_e1282 * _e432));
-                                                let _e1289 = (_e1285 * _e1275);
-                                                let _e1290 = (_e1288 * _e1272);
-                                                let _e1291 = (_e1259 * _e1288);
-                                                let _e1292 = (_e1262 * _e1285);
-                                                let _e1293 = (_e1272 * _e1262);
-                                                let _e1294 = (_e1275 * _e1259);
-                                                let _e1299 = (((_e1289 >= _e1290) && (_e1291 >= _e1292)) && (_e1293 >= _e1294));
-                                                if (_e1299 || (((_e1289 <= _e1290) && (_e1291 <= _e1292)) && (_e1293 <= _e1294))) {
-                                                    let _e1306 = select(-1f, 1f, _e1299);
-                                                    let _e1308 = ((_e1289 - _e1290) * _e1306);
-                                                    let _e1310 = select(0f, _e1308, (_e1308 > 0f));
-                                                    let _e1312 = ((_e1291 - _e1292) * _e1306);
-                                                    let _e1314 = select(0f, _e1312, (_e1312 > 0f));
-                                                    let _e1316 = ((_e1293 - _e1294) * _e1306);
-                                                    let _e1318 = select(0f, _e1316, (_e1316 > 0f));
-                                                    let _e1320 = ((_e1310 + _e1314) + _e1318);
-                                                    if (_e1320 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e809 = phi_1327_;
+                                                let _e817 = (_e809[0][2] - _e461);
+                                                let _e820 = (((_e809[0][0] - _e324) * _e500) - (_e817 * _e364));
+                                                let _e823 = (((_e809[0][1] - _e393) * _e500) - (_e817 * _e432));
+                                                let _e830 = (_e809[1][2] - _e461);
+                                                let _e833 = (((_e809[1][0] - _e324) * _e500) - (_e830 * _e364));
+                                                let _e836 = (((_e809[1][1] - _e393) * _e500) - (_e830 * _e432));
+                                                let _e843 = (_e809[2][2] - _e461);
+                                                let _e846 = (((_e809[2][0] - _e324) * _e500) - (_e843 * _e364));
+                                                let _e849 = (((_e809[2][1] - _e393) * _e500) - (_e843 * _e432));
+                                                let _e850 = (_e846 * _e836);
+                                                let _e851 = (_e849 * _e833);
+                                                let _e852 = (_e820 * _e849);
+                                                let _e853 = (_e823 * _e846);
+                                                let _e854 = (_e833 * _e823);
+                                                let _e855 = (_e836 * _e820);
+                                                let _e860 = (((_e850 >= _e851) && (_e852 >= _e853)) && (_e854 >= _e855));
+                                                if (_e860 || (((_e850 <= _e851) && (_e852 <= _e853)) && (_e854 <= _e855))) {
+                                                    let _e867 = select(-1f, 1f, _e860);
+                                                    let _e869 = ((_e850 - _e851) * _e867);
+                                                    let _e871 = select(0f, _e869, (_e869 > 0f));
+                                                    let _e873 = ((_e852 - _e853) * _e867);
+                                                    let _e875 = select(0f, _e873, (_e873 > 0f));
+                                                    let _e877 = ((_e854 - _e855) * _e867);
+                                                    let _e879 = select(0f, _e877, (_e877 > 0f));
+                                                    let _e881 = ((_e871 + _e875) + _e879);
+                                                    if (_e881 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2211_ = type_28();
                                                         phi_2212_ = true;
                                                         phi_2213_ = false;
                                                     } else {
-                                                        let _e1323 = select(_e1272, _e1259, (_e1259 < _e1272));
-                                                        if (select(_e1285, _e1323, (_e1323 < _e1285)) > 0f) {
+                                                        let _e884 = select(_e833, _e820, (_e820 < _e833));
+                                                        if (select(_e846, _e884, (_e884 < _e846)) > 0f) {
                                                             phi_1479_ = true;
                                                         } else {
-                                                            let _e1328 = select(_e1272, _e1259, (_e1259 > _e1272));
-                                                            phi_1479_ = (select(_e1285, _e1328, (_e1328 > _e1285)) < 0f);
+                                                            let _e889 = select(_e833, _e820, (_e820 > _e833));
+                                                            phi_1479_ = (select(_e846, _e889, (_e889 > _e846)) < 0f);
                                                         }
-                                                        let _e1333 = phi_1479_;
-                                                        if _e1333 {
+                                                        let _e894 = phi_1479_;
+                                                        if _e894 {
                                                             phi_2208_ = type_28();
                                                             phi_2209_ = true;
                                                             phi_2210_ = false;
                                                         } else {
-                                                            let _e1335 = select(_e1275, _e1262, (_e1262 < _e1275));
-                                                            if (select(_e1288, _e1335, (_e1335 < _e1288)) > 0f) {
+                                                            let _e896 = select(_e836, _e823, (_e823 < _e836));
+                                                            if (select(_e849, _e896, (_e896 < _e849)) > 0f) {
                                                                 phi_1508_ = true;
                                                             } else {
-                                                                let _e1340 = select(_e1275, _e1262, (_e1262 > _e1275));
-                                                                phi_1508_ = (select(_e1288, _e1340, (_e1340 > _e1288)) < 0f);
+                                                                let _e901 = select(_e836, _e823, (_e823 > _e836));
+                                                                phi_1508_ = (select(_e849, _e901, (_e901 > _e849)) < 0f);
                                                             }
-                                                            let _e1345 = phi_1508_;
-                                                            if _e1345 {
+                                                            let _e906 = phi_1508_;
+                                                            if _e906 {
                                                                 phi_2206_ = type_28();
                                                                 phi_2207_ = false;
                                                             } else {
-                                                                let _e1347 = select(_e1248[1][0], _e1248[0][0], (_e1248[0][0] < _e1248[1][0]));
-                                                                let _e1351 = select(_e1248[1][0], _e1248[0][0], (_e1248[0][0] > _e1248[1][0]));
-                                                                let _e1355 = select(_e1248[1][1], _e1248[0][1], (_e1248[0][1] < _e1248[1][1]));
-                                                                let _e1359 = select(_e1248[1][1], _e1248[0][1], (_e1248[0][1] > _e1248[1][1]));
-                                                                let _e1363 = select(_e1248[1][2], _e1248[0][2], (_e1248[0][2] < _e1248[1][2]));
-                                                                let _e1367 = select(_e1248[1][2], _e1248[0][2], (_e1248[0][2] > _e1248[1][2]));
-                                                                let _e1372 = ((select(_e1248[2][0], _e1347, (_e1347 < _e1248[2][0])) - _e362) * _e367);
-                                                                let _e1373 = ((select(_e1248[2][0], _e1351, (_e1351 > _e1248[2][0])) - _e363) * _e367);
-                                                                let _e1376 = ((select(_e1248[2][1], _e1355, (_e1355 < _e1248[2][1])) - _e430) * _e435);
-                                                                let _e1377 = ((select(_e1248[2][1], _e1359, (_e1359 > _e1248[2][1])) - _e431) * _e435);
-                                                                let _e1380 = ((select(_e1248[2][2], _e1363, (_e1363 < _e1248[2][2])) - _e498) * _e503);
-                                                                let _e1381 = ((select(_e1248[2][2], _e1367, (_e1367 > _e1248[2][2])) - _e499) * _e503);
-                                                                let _e1383 = select(_e1381, _e1380, (_e1380 < _e1381));
-                                                                let _e1385 = select(_e1381, _e1380, (_e1380 > _e1381));
-                                                                let _e1387 = select(_e1373, _e1372, (_e1372 < _e1373));
-                                                                let _e1389 = select(_e1377, _e1376, (_e1376 < _e1377));
-                                                                let _e1391 = select(_e1389, _e1387, (_e1387 > _e1389));
-                                                                let _e1393 = select(_e1383, _e1391, (_e1391 > _e1383));
-                                                                let _e1395 = select(_e1373, _e1372, (_e1372 > _e1373));
-                                                                let _e1397 = select(_e1377, _e1376, (_e1376 > _e1377));
-                                                                let _e1399 = select(_e1397, _e1395, (_e1395 < _e1397));
-                                                                let _e1401 = select(_e1385, _e1399, (_e1399 < _e1385));
-                                                                let _e1402 = -(_e1383);
-                                                                let _e1408 = select(_e615, _e1393, (_e1393 > _e615));
-                                                                if (_e1408 > (_e1401 + (select(_e1402, _e1385, (_e1385 > _e1402)) * 0.0000019073523f))) {
+                                                                let _e908 = select(_e809[1][0], _e809[0][0], (_e809[0][0] < _e809[1][0]));
+                                                                let _e912 = select(_e809[1][0], _e809[0][0], (_e809[0][0] > _e809[1][0]));
+                                                                let _e916 = select(_e809[1][1], _e809[0][1], (_e809[0][1] < _e809[1][1]));
+                                                                let _e920 = select(_e809[1][1], _e809[0][1], (_e809[0][1] > _e809[1][1]));
+                                                                let _e924 = select(_e809[1][2], _e809[0][2], (_e809[0][2] < _e809[1][2]));
+                                                                let _e928 = select(_e809[1][2], _e809[0][2], (_e809[0][2] > _e809[1][2]));
+                                                                let _e933 = ((select(_e809[2][0], _e908, (_e908 < _e809[2][0])) - _e362) * _e367);
+                                                                let _e934 = ((select(_e809[2][0], _e912, (_e912 > _e809[2][0])) - _e363) * _e367);
+                                                                let _e937 = ((select(_e809[2][1], _e916, (_e916 < _e809[2][1])) - _e430) * _e435);
+                                                                let _e938 = ((select(_e809[2][1], _e920, (_e920 > _e809[2][1])) - _e431) * _e435);
+                                                                let _e941 = ((select(_e809[2][2], _e924, (_e924 < _e809[2][2])) - _e498) * _e503);
+                                                                let _e942 = ((select(_e809[2][2], _e928, (_e928 > _e809[2][2])) - _e499) * _e503);
+                                                                let _e944 = select(_e942, _e941, (_e941 < _e942));
+                                                                let _e946 = select(_e942, _e941, (_e941 > _e942));
+                                                                let _e948 = select(_e934, _e933, (_e933 < _e934));
+                                                                let _e950 = select(_e938, _e937, (_e937 < _e938));
+                                                                let _e952 = select(_e950, _e948, (_e948 > _e950));
+                                                                let _e954 = select(_e944, _e952, (_e952 > _e944));
+                                                                let _e956 = select(_e934, _e933, (_e933 > _e934));
+                                                                let _e958 = select(_e938, _e937, (_e937 > _e938));
+                                                                let _e960 = select(_e958, _e956, (_e956 < _e958));
+                                                                let _e962 = select(_e946, _e960, (_e960 < _e946));
+                                                                let _e963 = -(_e944);
+                                                                let _e969 = select(_e615, _e954, (_e954 > _e615));
+                                                                if (_e969 > (_e962 + (select(_e963, _e946, (_e946 > _e963)) * 0.0000019073523f))) {
                                                                     phi_2201_ = type_28();
                                                                     phi_2202_ = true;
                                                                 } else {
-                                                                    let _e1410 = (_e1408 > _e1152.member);
-                                                                    if _e1410 {
+                                                                    let _e971 = (_e969 > _e713.member);
+                                                                    if _e971 {
                                                                         phi_2200_ = type_28();
                                                                     } else {
-                                                                        let _e1411 = vec3<f32>(_e1248[0][0], _e1248[0][1], _e1248[0][2]);
-                                                                        let _e1412 = vec3<f32>(_e1248[1][0], _e1248[1][1], _e1248[1][2]);
-                                                                        let _e1413 = vec3<f32>(_e1248[2][0], _e1248[2][1], _e1248[2][2]);
-                                                                        let _e1414 = (_e1248[1][0] - _e1248[0][0]);
-                                                                        let _e1415 = (_e1248[1][1] - _e1248[0][1]);
-                                                                        let _e1416 = (_e1248[1][2] - _e1248[0][2]);
-                                                                        let _e1417 = vec3<f32>(_e1414, _e1415, _e1416);
-                                                                        let _e1418 = (_e1248[2][0] - _e1248[1][0]);
-                                                                        let _e1419 = (_e1248[2][1] - _e1248[1][1]);
-                                                                        let _e1420 = (_e1248[2][2] - _e1248[1][2]);
-                                                                        let _e1421 = vec3<f32>(_e1418, _e1419, _e1420);
-                                                                        let _e1422 = (_e1248[0][0] - _e1248[2][0]);
-                                                                        let _e1423 = (_e1248[0][1] - _e1248[2][1]);
-                                                                        let _e1424 = (_e1248[0][2] - _e1248[2][2]);
-                                                                        let _e1425 = vec3<f32>(_e1422, _e1423, _e1424);
-                                                                        let _e1428 = bitcast<f32>((bitcast<u32>(_e1414) & 2147483647u));
-                                                                        let _e1431 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
-                                                                        let _e1433 = select(_e1431, _e1428, (_e1428 > _e1431));
-                                                                        let _e1436 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
-                                                                        let _e1438 = select(_e1436, _e1433, (_e1433 > _e1436));
-                                                                        let _e1441 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
-                                                                        let _e1444 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
-                                                                        let _e1446 = select(_e1444, _e1441, (_e1441 > _e1444));
-                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
-                                                                        let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
-                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
-                                                                        let _e1457 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
-                                                                        let _e1459 = select(_e1457, _e1454, (_e1454 > _e1457));
-                                                                        let _e1462 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
-                                                                        let _e1464 = select(_e1462, _e1459, (_e1459 > _e1462));
-                                                                        let _e1466 = select(_e1451, _e1438, (_e1438 > _e1451));
-                                                                        let _e1468 = select(_e1464, _e1466, (_e1466 > _e1464));
-                                                                        if (_e1438 == _e1468) {
-                                                                            phi_1927_ = _e1275;
-                                                                            phi_1928_ = _e1272;
-                                                                            phi_1929_ = _e1262;
-                                                                            phi_1930_ = _e1259;
-                                                                            phi_1931_ = _e1411;
-                                                                            phi_1932_ = _e1425;
-                                                                            phi_1933_ = _e1421;
-                                                                            phi_1934_ = _e1417;
+                                                                        let _e972 = vec3<f32>(_e809[0][0], _e809[0][1], _e809[0][2]);
+                                                                        let _e973 = vec3<f32>(_e809[1][0], _e809[1][1], _e809[1][2]);
+                                                                        let _e974 = vec3<f32>(_e809[2][0], _e809[2][1], _e809[2][2]);
+                                                                        let _e975 = (_e809[1][0] - _e809[0][0]);
+                                                                        let _e976 = (_e809[1][1] - _e809[0][1]);
+                                                                        let _e977 = (_e809[1][2] - _e809[0][2]);
+                                                                        let _e978 = vec3<f32>(_e975, _e976, _e977);
+                                                                        let _e979 = (_e809[2][0] - _e809[1][0]);
+                                                                        let _e980 = (_e809[2][1] - _e809[1][1]);
+                                                                        let _e981 = (_e809[2][2] - _e809[1][2]);
+                                                                        let _e982 = vec3<f32>(_e979, _e980, _e981);
+                                                                        let _e983 = (_e809[0][0] - _e809[2][0]);
+                                                                        let _e984 = (_e809[0][1] - _e809[2][1]);
+                                                                        let _e985 = (_e809[0][2] - _e809[2][2]);
+                                                                        let _e986 = vec3<f32>(_e983, _e984, _e985);
+                                                                        let _e989 = bitcast<f32>((bitcast<u32>(_e975) & 2147483647u));
+                                                                        let _e992 = bitcast<f32>((bitcast<u32>(_e976) & 2147483647u));
+                                                                        let _e994 = select(_e992, _e989, (_e989 > _e992));
+                                                                        let _e997 = bitcast<f32>((bitcast<u32>(_e977) & 2147483647u));
+                                                                        let _e999 = select(_e997, _e994, (_e994 > _e997));
+                                                                        let _e1002 = bitcast<f32>((bitcast<u32>(_e979) & 2147483647u));
+                                                                        let _e1005 = bitcast<f32>((bitcast<u32>(_e980) & 2147483647u));
+                                                                        let _e1007 = select(_e1005, _e1002, (_e1002 > _e1005));
+                                                                        let _e1010 = bitcast<f32>((bitcast<u32>(_e981) & 2147483647u));
+                                                                        let _e1012 = select(_e1010, _e1007, (_e1007 > _e1010));
+                                                                        let _e1015 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
+                                                                        let _e1018 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
+                                                                        let _e1020 = select(_e1018, _e1015, (_e1015 > _e1018));
+                                                                        let _e1023 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
+                                                                        let _e1025 = select(_e1023, _e1020, (_e1020 > _e1023));
+                                                                        let _e1027 = select(_e1012, _e999, (_e999 > _e1012));
+                                                                        let _e1029 = select(_e1025, _e1027, (_e1027 > _e1025));
+                                                                        if (_e999 == _e1029) {
+                                                                            phi_1927_ = _e836;
+                                                                            phi_1928_ = _e833;
+                                                                            phi_1929_ = _e823;
+                                                                            phi_1930_ = _e820;
+                                                                            phi_1931_ = _e972;
+                                                                            phi_1932_ = _e986;
+                                                                            phi_1933_ = _e982;
+                                                                            phi_1934_ = _e978;
                                                                         } else {
-                                                                            let _e1470 = (_e1451 == _e1468);
-                                                                            let _e1475 = vec3(_e1470);
-                                                                            phi_1927_ = select(_e1262, _e1288, _e1470);
-                                                                            phi_1928_ = select(_e1259, _e1285, _e1470);
-                                                                            phi_1929_ = select(_e1288, _e1275, _e1470);
-                                                                            phi_1930_ = select(_e1285, _e1272, _e1470);
-                                                                            phi_1931_ = select(_e1413, _e1412, _e1475);
-                                                                            phi_1932_ = select(_e1421, _e1417, _e1475);
-                                                                            phi_1933_ = select(_e1417, _e1425, _e1475);
-                                                                            phi_1934_ = select(_e1425, _e1421, _e1475);
+                                                                            let _e1031 = (_e1012 == _e1029);
+                                                                            let _e1036 = vec3(_e1031);
+                                                                            phi_1927_ = select(_e823, _e849, _e1031);
+                                                                            phi_1928_ = select(_e820, _e846, _e1031);
+                                                                            phi_1929_ = select(_e849, _e836, _e1031);
+                                                                            phi_1930_ = select(_e846, _e833, _e1031);
+                                                                            phi_1931_ = select(_e974, _e973, _e1036);
+                                                                            phi_1932_ = select(_e982, _e978, _e1036);
+                                                                            phi_1933_ = select(_e978, _e986, _e1036);
+                                                                            phi_1934_ = select(_e986, _e982, _e1036);
                                                                         }
-                                                                        let _e1481 = phi_1927_;
-                                                                        let _e1483 = phi_1928_;
-                                                                        let _e1485 = phi_1929_;
-                                                                        let _e1487 = phi_1930_;
-                                                                        let _e1489 = phi_1931_;
-                                                                        let _e1491 = phi_1932_;
-                                                                        let _e1493 = phi_1933_;
-                                                                        let _e1495 = phi_1934_;
-                                                                        let _e1502 = ((_e1493.y * _e1491.z) - (_e1491.y * _e1493.z));
-                                                                        let _e1507 = ((_e1493.z * _e1491.x) - (_e1491.z * _e1493.x));
-                                                                        let _e1510 = ((_e1493.x * _e1491.y) - (_e1491.x * _e1493.y));
-                                                                        if (_e1310 >= _e1314) {
-                                                                            phi_1971_ = select(true, false, (_e1310 >= _e1318));
+                                                                        let _e1042 = phi_1927_;
+                                                                        let _e1044 = phi_1928_;
+                                                                        let _e1046 = phi_1929_;
+                                                                        let _e1048 = phi_1930_;
+                                                                        let _e1050 = phi_1931_;
+                                                                        let _e1052 = phi_1932_;
+                                                                        let _e1054 = phi_1933_;
+                                                                        let _e1056 = phi_1934_;
+                                                                        let _e1063 = ((_e1054.y * _e1052.z) - (_e1052.y * _e1054.z));
+                                                                        let _e1068 = ((_e1054.z * _e1052.x) - (_e1052.z * _e1054.x));
+                                                                        let _e1071 = ((_e1054.x * _e1052.y) - (_e1052.x * _e1054.y));
+                                                                        if (_e871 >= _e875) {
+                                                                            phi_1971_ = select(true, false, (_e871 >= _e879));
                                                                         } else {
                                                                             phi_1971_ = true;
                                                                         }
-                                                                        let _e1515 = phi_1971_;
-                                                                        if _e1515 {
-                                                                            phi_1980_ = select(_e1413, _e1412, vec3((_e1314 >= _e1318)));
+                                                                        let _e1076 = phi_1971_;
+                                                                        if _e1076 {
+                                                                            phi_1980_ = select(_e974, _e973, vec3((_e875 >= _e879)));
                                                                         } else {
-                                                                            phi_1980_ = _e1411;
+                                                                            phi_1980_ = _e972;
                                                                         }
-                                                                        let _e1520 = phi_1980_;
-                                                                        let _e1531 = (((_e1502 * (_e1520.x - _e324)) + (_e1507 * (_e1520.y - _e393))) + (_e1510 * (_e1520.z - _e461)));
-                                                                        let _e1536 = (((_e1502 * _e364) + (_e1507 * _e432)) + (_e1510 * _e500));
-                                                                        let _e1537 = (_e1483 - _e1487);
-                                                                        let _e1538 = (_e1481 - _e1485);
-                                                                        let _e1546 = (-(((_e1487 * _e1537) + (_e1485 * _e1538))) / ((_e1537 * _e1537) + (_e1538 * _e1538)));
-                                                                        let _e1548 = select(1f, _e1546, (_e1546 < 1f));
-                                                                        let _e1550 = select(0f, _e1548, (_e1548 > 0f));
-                                                                        let _e1563 = ((_e1489.x + (_e1495.x * _e1550)) - _e324);
-                                                                        let _e1564 = ((_e1489.y + (_e1495.y * _e1550)) - _e393);
-                                                                        let _e1565 = ((_e1489.z + (_e1495.z * _e1550)) - _e461);
-                                                                        let _e1566 = (_e1565 / _e500);
-                                                                        let _e1578 = bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u));
-                                                                        let _e1581 = bitcast<f32>((bitcast<u32>(_e1564) & 2147483647u));
-                                                                        let _e1583 = select(_e1581, _e1578, (_e1578 > _e1581));
-                                                                        let _e1586 = bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u));
-                                                                        let _e1588 = select(_e1586, _e1583, (_e1583 > _e1586));
-                                                                        let _e1594 = bitcast<f32>((bitcast<u32>(_e1502) & 2147483647u));
-                                                                        let _e1597 = bitcast<f32>((bitcast<u32>(_e1507) & 2147483647u));
-                                                                        let _e1599 = select(_e1597, _e1594, (_e1594 > _e1597));
-                                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1510) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1502 * _e1563) + (_e1507 * _e1564)) + (_e1510 * _e1565)) - _e1531)) & 2147483647u)) <= ((0.0000009536743f * select(_e1468, _e1588, (_e1588 > _e1468))) * select(_e1602, _e1599, (_e1599 > _e1602)))) {
-                                                                            let _e1612 = bitcast<f32>((bitcast<u32>(_e1493.x) & 2147483647u));
-                                                                            let _e1615 = bitcast<f32>((bitcast<u32>(_e1493.y) & 2147483647u));
-                                                                            let _e1617 = select(_e1615, _e1612, (_e1612 > _e1615));
-                                                                            let _e1620 = bitcast<f32>((bitcast<u32>(_e1493.z) & 2147483647u));
-                                                                            let _e1626 = bitcast<f32>((bitcast<u32>(_e1491.x) & 2147483647u));
-                                                                            let _e1629 = bitcast<f32>((bitcast<u32>(_e1491.y) & 2147483647u));
-                                                                            let _e1631 = select(_e1629, _e1626, (_e1626 > _e1629));
-                                                                            let _e1634 = bitcast<f32>((bitcast<u32>(_e1491.z) & 2147483647u));
-                                                                            let _e1638 = (bitcast<f32>((bitcast<u32>(_e1536) & 2147483647u)) > ((0.0000038146973f * select(_e1620, _e1617, (_e1617 > _e1620))) * select(_e1634, _e1631, (_e1631 > _e1634))));
-                                                                            if _e1638 {
-                                                                                phi_2145_ = (_e1531 / _e1536);
+                                                                        let _e1081 = phi_1980_;
+                                                                        let _e1092 = (((_e1063 * (_e1081.x - _e324)) + (_e1068 * (_e1081.y - _e393))) + (_e1071 * (_e1081.z - _e461)));
+                                                                        let _e1097 = (((_e1063 * _e364) + (_e1068 * _e432)) + (_e1071 * _e500));
+                                                                        let _e1098 = (_e1044 - _e1048);
+                                                                        let _e1099 = (_e1042 - _e1046);
+                                                                        let _e1107 = (-(((_e1048 * _e1098) + (_e1046 * _e1099))) / ((_e1098 * _e1098) + (_e1099 * _e1099)));
+                                                                        let _e1109 = select(1f, _e1107, (_e1107 < 1f));
+                                                                        let _e1111 = select(0f, _e1109, (_e1109 > 0f));
+                                                                        let _e1124 = ((_e1050.x + (_e1056.x * _e1111)) - _e324);
+                                                                        let _e1125 = ((_e1050.y + (_e1056.y * _e1111)) - _e393);
+                                                                        let _e1126 = ((_e1050.z + (_e1056.z * _e1111)) - _e461);
+                                                                        let _e1127 = (_e1126 / _e500);
+                                                                        let _e1139 = bitcast<f32>((bitcast<u32>(_e1124) & 2147483647u));
+                                                                        let _e1142 = bitcast<f32>((bitcast<u32>(_e1125) & 2147483647u));
+                                                                        let _e1144 = select(_e1142, _e1139, (_e1139 > _e1142));
+                                                                        let _e1147 = bitcast<f32>((bitcast<u32>(_e1126) & 2147483647u));
+                                                                        let _e1149 = select(_e1147, _e1144, (_e1144 > _e1147));
+                                                                        let _e1155 = bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u));
+                                                                        let _e1158 = bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u));
+                                                                        let _e1160 = select(_e1158, _e1155, (_e1155 > _e1158));
+                                                                        let _e1163 = bitcast<f32>((bitcast<u32>(_e1071) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1063 * _e1124) + (_e1068 * _e1125)) + (_e1071 * _e1126)) - _e1092)) & 2147483647u)) <= ((0.0000009536743f * select(_e1029, _e1149, (_e1149 > _e1029))) * select(_e1163, _e1160, (_e1160 > _e1163)))) {
+                                                                            let _e1173 = bitcast<f32>((bitcast<u32>(_e1054.x) & 2147483647u));
+                                                                            let _e1176 = bitcast<f32>((bitcast<u32>(_e1054.y) & 2147483647u));
+                                                                            let _e1178 = select(_e1176, _e1173, (_e1173 > _e1176));
+                                                                            let _e1181 = bitcast<f32>((bitcast<u32>(_e1054.z) & 2147483647u));
+                                                                            let _e1187 = bitcast<f32>((bitcast<u32>(_e1052.x) & 2147483647u));
+                                                                            let _e1190 = bitcast<f32>((bitcast<u32>(_e1052.y) & 2147483647u));
+                                                                            let _e1192 = select(_e1190, _e1187, (_e1187 > _e1190));
+                                                                            let _e1195 = bitcast<f32>((bitcast<u32>(_e1052.z) & 2147483647u));
+                                                                            let _e1199 = (bitcast<f32>((bitcast<u32>(_e1097) & 2147483647u)) > ((0.0000038146973f * select(_e1181, _e1178, (_e1178 > _e1181))) * select(_e1195, _e1192, (_e1192 > _e1195))));
+                                                                            if _e1199 {
+                                                                                phi_2145_ = (_e1092 / _e1097);
                                                                             } else {
                                                                                 phi_2145_ = f32();
                                                                             }
-                                                                            let _e1641 = phi_2145_;
-                                                                            phi_2147_ = _e1641;
-                                                                            phi_2148_ = select(true, false, _e1638);
+                                                                            let _e1202 = phi_2145_;
+                                                                            phi_2147_ = _e1202;
+                                                                            phi_2148_ = select(true, false, _e1199);
                                                                         } else {
                                                                             phi_2147_ = f32();
                                                                             phi_2148_ = true;
                                                                         }
-                                                                        let _e1644 = phi_2147_;
-                                                                        let _e1646 = phi_2148_;
-                                                                        if _e1646 {
-                                                                            let _e1654 = (((_e1502 * (_e1563 - (_e364 * _e1566))) + (_e1507 * (_e1564 - (_e432 * _e1566)))) / _e1536);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1654) & 2147483647u)) <= _e1468) {
-                                                                                phi_2168_ = (_e1566 + _e1654);
+                                                                        let _e1205 = phi_2147_;
+                                                                        let _e1207 = phi_2148_;
+                                                                        if _e1207 {
+                                                                            let _e1215 = (((_e1063 * (_e1124 - (_e364 * _e1127))) + (_e1068 * (_e1125 - (_e432 * _e1127)))) / _e1097);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u)) <= _e1029) {
+                                                                                phi_2168_ = (_e1127 + _e1215);
                                                                             } else {
-                                                                                phi_2168_ = _e1566;
+                                                                                phi_2168_ = _e1127;
                                                                             }
-                                                                            let _e1661 = phi_2168_;
-                                                                            phi_2169_ = _e1661;
+                                                                            let _e1222 = phi_2168_;
+                                                                            phi_2169_ = _e1222;
                                                                         } else {
-                                                                            phi_2169_ = _e1644;
+                                                                            phi_2169_ = _e1205;
                                                                         }
-                                                                        let _e1663 = phi_2169_;
-                                                                        let _e1665 = select(_e1401, _e1663, (_e1663 < _e1401));
-                                                                        let _e1667 = select(_e1393, _e1665, (_e1665 > _e1393));
-                                                                        if (_e1667 >= _e615) {
-                                                                            let _e1669 = (_e1667 <= _e1152.member);
-                                                                            if _e1669 {
-                                                                                let _e1670 = (1f / _e1320);
-                                                                                phi_2192_ = type_28(_e1667, (_e1314 * _e1670), (_e1318 * _e1670), _e1181);
+                                                                        let _e1224 = phi_2169_;
+                                                                        let _e1226 = select(_e962, _e1224, (_e1224 < _e962));
+                                                                        let _e1228 = select(_e954, _e1226, (_e1226 > _e954));
+                                                                        if (_e1228 >= _e615) {
+                                                                            let _e1230 = (_e1228 <= _e713.member);
+                                                                            if _e1230 {
+                                                                                let _e1231 = (1f / _e881);
+                                                                                phi_2192_ = type_28(_e1228, (_e875 * _e1231), (_e879 * _e1231), _e742);
                                                                             } else {
                                                                                 phi_2192_ = type_28();
                                                                             }
-                                                                            let _e1675 = phi_2192_;
-                                                                            phi_2194_ = _e1675;
-                                                                            phi_2195_ = select(true, false, _e1669);
+                                                                            let _e1236 = phi_2192_;
+                                                                            phi_2194_ = _e1236;
+                                                                            phi_2195_ = select(true, false, _e1230);
                                                                         } else {
                                                                             phi_2194_ = type_28();
                                                                             phi_2195_ = true;
                                                                         }
-                                                                        let _e1678 = phi_2194_;
-                                                                        let _e1680 = phi_2195_;
-                                                                        if _e1680 {
+                                                                        let _e1239 = phi_2194_;
+                                                                        let _e1241 = phi_2195_;
+                                                                        if _e1241 {
                                                                             phi_2199_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2199_ = _e1678;
+                                                                            phi_2199_ = _e1239;
                                                                         }
-                                                                        let _e1682 = phi_2199_;
-                                                                        phi_2200_ = _e1682;
+                                                                        let _e1243 = phi_2199_;
+                                                                        phi_2200_ = _e1243;
                                                                     }
-                                                                    let _e1684 = phi_2200_;
-                                                                    phi_2201_ = _e1684;
-                                                                    phi_2202_ = _e1410;
+                                                                    let _e1245 = phi_2200_;
+                                                                    phi_2201_ = _e1245;
+                                                                    phi_2202_ = _e971;
                                                                 }
-                                                                let _e1686 = phi_2201_;
-                                                                let _e1688 = phi_2202_;
-                                                                phi_2206_ = _e1686;
-                                                                phi_2207_ = _e1688;
+                                                                let _e1247 = phi_2201_;
+                                                                let _e1249 = phi_2202_;
+                                                                phi_2206_ = _e1247;
+                                                                phi_2207_ = _e1249;
                                                             }
-                                                            let _e1690 = phi_2206_;
-                                                            let _e1692 = phi_2207_;
-                                                            phi_2208_ = _e1690;
-                                                            phi_2209_ = _e1345;
-                                                            phi_2210_ = _e1692;
+                                                            let _e1251 = phi_2206_;
+                                                            let _e1253 = phi_2207_;
+                                                            phi_2208_ = _e1251;
+                                                            phi_2209_ = _e906;
+                                                            phi_2210_ = _e1253;
                                                         }
-                                                        let _e1694 = phi_2208_;
-                                                        let _e1696 = phi_2209_;
-                                                        let _e1698 = phi_2210_;
-                                                        phi_2211_ = _e1694;
-                                                        phi_2212_ = _e1696;
-                                                        phi_2213_ = _e1698;
+                                                        let _e1255 = phi_2208_;
+                                                        let _e1257 = phi_2209_;
+                                                        let _e1259 = phi_2210_;
+                                                        phi_2211_ = _e1255;
+                                                        phi_2212_ = _e1257;
+                                                        phi_2213_ = _e1259;
                                                     }
-                                                    let _e1700 = phi_2211_;
-                                                    let _e1702 = phi_2212_;
-                                                    let _e1704 = phi_2213_;
-                                                    phi_2221_ = _e1700;
-                                                    phi_2222_ = select(_e1704, true, _e1702);
+                                                    let _e1261 = phi_2211_;
+                                                    let _e1263 = phi_2212_;
+                                                    let _e1265 = phi_2213_;
+                                                    phi_2221_ = _e1261;
+                                                    phi_2222_ = select(_e1265, true, _e1263);
                                                 } else {
                                                     phi_2221_ = type_28();
                                                     phi_2222_ = true;
                                                 }
-                                                let _e1707 = phi_2221_;
-                                                let _e1709 = phi_2222_;
-                                                if _e1709 {
+                                                let _e1268 = phi_2221_;
+                                                let _e1270 = phi_2222_;
+                                                if _e1270 {
                                                     phi_2226_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2226_ = _e1707;
+                                                    phi_2226_ = _e1268;
                                                 }
-                                                let _e1711 = phi_2226_;
-                                                if (_e1711.member_3 != 4294967295u) {
-                                                    if (_e1181 != 4294967295u) {
-                                                        phi_2237_ = type_42(_e1152.member, true);
+                                                let _e1272 = phi_2226_;
+                                                if (_e1272.member_3 != 4294967295u) {
+                                                    if (_e742 != 4294967295u) {
+                                                        phi_2237_ = type_42(_e713.member, true);
                                                     } else {
-                                                        phi_2237_ = _e1152;
+                                                        phi_2237_ = _e713;
                                                     }
-                                                    let _e1719 = phi_2237_;
-                                                    phi_2238_ = _e1719;
+                                                    let _e1280 = phi_2237_;
+                                                    phi_2238_ = _e1280;
                                                 } else {
-                                                    phi_2238_ = _e1152;
+                                                    phi_2238_ = _e713;
                                                 }
-                                                let _e1721 = phi_2238_;
-                                                phi_1189_ = _e1721;
+                                                let _e1282 = phi_2238_;
+                                                phi_1189_ = _e1282;
                                             } else {
                                                 phi_1189_ = type_42();
                                             }
-                                            let _e1723 = phi_1189_;
+                                            let _e1284 = phi_1189_;
                                             continue;
                                             continuing {
-                                                phi_1188_ = _e1723;
-                                                phi_1191_ = _e1167;
-                                                phi_3718_ = _e657;
-                                                break if !(_e1173);
+                                                phi_1188_ = _e1284;
+                                                phi_1191_ = _e728;
+                                                phi_3721_ = _e657;
+                                                break if !(_e734);
                                             }
                                         }
-                                        let _e1726 = phi_3718_;
-                                        phi_3875_ = _e1726;
-                                        if _e1726 {
+                                        let _e1287 = phi_3721_;
+                                        phi_3878_ = _e1287;
+                                        if _e1287 {
                                             break;
                                         }
-                                        let _e1728 = local_10;
-                                        phi_3879_ = _e1726;
-                                        let _e1900 = local_12;
-                                        phi_3476_ = _e1900;
-                                        phi_3477_ = false;
-                                        phi_3478_ = select(_e700, 0u, _e1728.member_1);
-                                        phi_3479_ = _e702;
+                                        phi_3964_ = _e1287;
+                                        let _e1883 = local_11;
+                                        phi_2239_ = _e1883;
+                                    } else {
+                                        phi_3964_ = _e657;
+                                        phi_2239_ = _e659;
+                                    }
+                                    let _e1289 = phi_3964_;
+                                    let _e1291 = phi_2239_;
+                                    if _e706 {
+                                        phi_3469_ = bool();
+                                        phi_3470_ = u32();
+                                        phi_3471_ = type_49();
                                     } else {
                                         if (_e702.member_1 >= _e90) {
-                                            phi_3011_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3005_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e702.member_1 < _e90) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e714 = ((1u + _e260) % 4u);
-                                            if (_e714 < 4u) {
+                                            let _e1295 = ((1u + _e260) % 4u);
+                                            if (_e1295 < 4u) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e719 = global_4.member[_e702.member_1][_e714];
-                                            let _e721 = (_e719 >> bitcast<u32>(11u));
-                                            let _e723 = ((1u + _e259) % 4u);
-                                            if (_e723 < 4u) {
+                                            let _e1300 = global_4.member[_e702.member_1][_e1295];
+                                            let _e1302 = (_e1300 >> bitcast<u32>(11u));
+                                            let _e1304 = ((1u + _e259) % 4u);
+                                            if (_e1304 < 4u) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e728 = global_4.member[_e702.member_1][_e723];
-                                            let _e730 = (_e728 >> bitcast<u32>(11u));
-                                            let _e732 = ((1u + _e261) % 4u);
-                                            if (_e732 < 4u) {
+                                            let _e1309 = global_4.member[_e702.member_1][_e1304];
+                                            let _e1311 = (_e1309 >> bitcast<u32>(11u));
+                                            let _e1313 = ((1u + _e261) % 4u);
+                                            if (_e1313 < 4u) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e737 = global_4.member[_e702.member_1][_e732];
-                                            let _e739 = (_e737 >> bitcast<u32>(11u));
-                                            let _e762 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e763 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e764 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e766 = select(_e140, _e762, (_e762 > _e140));
-                                            let _e768 = select(_e140, _e763, (_e763 > _e140));
-                                            let _e770 = select(_e140, _e764, (_e764 > _e140));
-                                            let _e801 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e719 & 1023u))) - 8388608f) * _e766));
-                                            let _e806 = (bitcast<i32>((_e719 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e809 = bitcast<f32>((_e801 & bitcast<u32>(_e806)));
-                                            let _e810 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e728 & 1023u))) - 8388608f) * _e768));
-                                            let _e815 = (bitcast<i32>((_e728 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e818 = bitcast<f32>((_e810 & bitcast<u32>(_e815)));
-                                            let _e819 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e737 & 1023u))) - 8388608f) * _e770));
-                                            let _e824 = (bitcast<i32>((_e737 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e827 = bitcast<f32>((_e819 & bitcast<u32>(_e824)));
-                                            let _e831 = bitcast<f32>((_e801 & bitcast<u32>(~(_e806))));
-                                            let _e835 = bitcast<f32>((_e810 & bitcast<u32>(~(_e815))));
-                                            let _e839 = bitcast<f32>((_e819 & bitcast<u32>(~(_e824))));
-                                            let _e840 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e721 & 1023u))) - 8388608f) * _e766));
-                                            let _e845 = (bitcast<i32>((_e721 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e848 = bitcast<f32>((_e840 & bitcast<u32>(_e845)));
-                                            let _e849 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 1023u))) - 8388608f) * _e768));
-                                            let _e854 = (bitcast<i32>((_e730 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e857 = bitcast<f32>((_e849 & bitcast<u32>(_e854)));
-                                            let _e858 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e739 & 1023u))) - 8388608f) * _e770));
-                                            let _e863 = (bitcast<i32>((_e739 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e866 = bitcast<f32>((_e858 & bitcast<u32>(_e863)));
-                                            let _e870 = bitcast<f32>((_e840 & bitcast<u32>(~(_e845))));
-                                            let _e874 = bitcast<f32>((_e849 & bitcast<u32>(~(_e854))));
-                                            let _e878 = bitcast<f32>((_e858 & bitcast<u32>(~(_e863))));
-                                            let _e908 = global_4.member[_e702.member_1][0u];
-                                            let _e912 = global_4.member[_e702.member_1][1u];
-                                            let _e916 = global_4.member[_e702.member_1][2u];
-                                            let _e920 = global_4.member[_e702.member_1][3u];
-                                            let _e932 = (((_e912 >> bitcast<u32>(22i)) | ((_e916 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e920 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e933 = (_e908 & 268435455u);
-                                            let _e934 = (_e932 & 268435455u);
-                                            let _e937 = ((_e908 >> bitcast<u32>(28u)) & 7u);
-                                            let _e945 = ((_e908 >> bitcast<u32>(31i)) | (((_e932 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e946 = (_e937 != 0u);
-                                            if (_e937 == 0u) {
-                                                phi_2973_ = _e933;
+                                            let _e1318 = global_4.member[_e702.member_1][_e1313];
+                                            let _e1320 = (_e1318 >> bitcast<u32>(11u));
+                                            let _e1343 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1344 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1345 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1347 = select(_e140, _e1343, (_e1343 > _e140));
+                                            let _e1349 = select(_e140, _e1344, (_e1344 > _e140));
+                                            let _e1351 = select(_e140, _e1345, (_e1345 > _e140));
+                                            let _e1382 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1300 & 1023u))) - 8388608f) * _e1347));
+                                            let _e1387 = (bitcast<i32>((_e1300 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1390 = bitcast<f32>((_e1382 & bitcast<u32>(_e1387)));
+                                            let _e1391 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1309 & 1023u))) - 8388608f) * _e1349));
+                                            let _e1396 = (bitcast<i32>((_e1309 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1399 = bitcast<f32>((_e1391 & bitcast<u32>(_e1396)));
+                                            let _e1400 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1318 & 1023u))) - 8388608f) * _e1351));
+                                            let _e1405 = (bitcast<i32>((_e1318 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1408 = bitcast<f32>((_e1400 & bitcast<u32>(_e1405)));
+                                            let _e1412 = bitcast<f32>((_e1382 & bitcast<u32>(~(_e1387))));
+                                            let _e1416 = bitcast<f32>((_e1391 & bitcast<u32>(~(_e1396))));
+                                            let _e1420 = bitcast<f32>((_e1400 & bitcast<u32>(~(_e1405))));
+                                            let _e1421 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1302 & 1023u))) - 8388608f) * _e1347));
+                                            let _e1426 = (bitcast<i32>((_e1302 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1429 = bitcast<f32>((_e1421 & bitcast<u32>(_e1426)));
+                                            let _e1430 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1311 & 1023u))) - 8388608f) * _e1349));
+                                            let _e1435 = (bitcast<i32>((_e1311 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1438 = bitcast<f32>((_e1430 & bitcast<u32>(_e1435)));
+                                            let _e1439 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1320 & 1023u))) - 8388608f) * _e1351));
+                                            let _e1444 = (bitcast<i32>((_e1320 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1447 = bitcast<f32>((_e1439 & bitcast<u32>(_e1444)));
+                                            let _e1451 = bitcast<f32>((_e1421 & bitcast<u32>(~(_e1426))));
+                                            let _e1455 = bitcast<f32>((_e1430 & bitcast<u32>(~(_e1435))));
+                                            let _e1459 = bitcast<f32>((_e1439 & bitcast<u32>(~(_e1444))));
+                                            let _e1489 = global_4.member[_e702.member_1][0u];
+                                            let _e1493 = global_4.member[_e702.member_1][1u];
+                                            let _e1497 = global_4.member[_e702.member_1][2u];
+                                            let _e1501 = global_4.member[_e702.member_1][3u];
+                                            let _e1513 = (((_e1493 >> bitcast<u32>(22i)) | ((_e1497 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1501 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1514 = (_e1489 & 268435455u);
+                                            let _e1515 = (_e1513 & 268435455u);
+                                            let _e1518 = ((_e1489 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1526 = ((_e1489 >> bitcast<u32>(31i)) | (((_e1513 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1527 = (_e1518 != 0u);
+                                            if (_e1518 == 0u) {
+                                                phi_2967_ = _e1514;
                                             } else {
-                                                if (_e937 == 7u) {
-                                                    phi_2972_ = 2147483648u;
+                                                if (_e1518 == 7u) {
+                                                    phi_2966_ = 2147483648u;
                                                 } else {
-                                                    phi_2972_ = ((2147483648u | (_e937 << bitcast<u32>(28u))) | (_e934 & 268435455u));
+                                                    phi_2966_ = ((2147483648u | (_e1518 << bitcast<u32>(28u))) | (_e1515 & 268435455u));
                                                 }
-                                                let _e955 = phi_2972_;
-                                                phi_2973_ = _e955;
+                                                let _e1536 = phi_2966_;
+                                                phi_2967_ = _e1536;
                                             }
-                                            let _e957 = phi_2973_;
-                                            if _e946 {
-                                                let _e958 = (_e937 != 7u);
-                                                if _e958 {
-                                                    phi_2983_ = (_e934 + _e937);
+                                            let _e1538 = phi_2967_;
+                                            if _e1527 {
+                                                let _e1539 = (_e1518 != 7u);
+                                                if _e1539 {
+                                                    phi_2977_ = (_e1515 + _e1518);
                                                 } else {
-                                                    phi_2983_ = u32();
+                                                    phi_2977_ = u32();
                                                 }
-                                                let _e961 = phi_2983_;
-                                                phi_2985_ = _e961;
-                                                phi_2986_ = select(true, false, _e958);
+                                                let _e1542 = phi_2977_;
+                                                phi_2979_ = _e1542;
+                                                phi_2980_ = select(true, false, _e1539);
                                             } else {
-                                                phi_2985_ = u32();
-                                                phi_2986_ = true;
+                                                phi_2979_ = u32();
+                                                phi_2980_ = true;
                                             }
-                                            let _e964 = phi_2985_;
-                                            let _e966 = phi_2986_;
-                                            if (_e945 == 0u) {
-                                                phi_3007_ = (_e933 + select(0u, 1u, !(_e946)));
+                                            let _e1545 = phi_2979_;
+                                            let _e1547 = phi_2980_;
+                                            if (_e1526 == 0u) {
+                                                phi_3001_ = (_e1514 + select(0u, 1u, !(_e1527)));
                                             } else {
-                                                if (_e945 == 7u) {
-                                                    phi_3006_ = 2147483648u;
+                                                if (_e1526 == 7u) {
+                                                    phi_3000_ = 2147483648u;
                                                 } else {
-                                                    phi_3006_ = ((2147483648u | (_e945 << bitcast<u32>(28u))) | (select(_e964, _e934, _e966) & 268435455u));
+                                                    phi_3000_ = ((2147483648u | (_e1526 << bitcast<u32>(28u))) | (select(_e1545, _e1515, _e1547) & 268435455u));
                                                 }
-                                                let _e979 = phi_3006_;
-                                                phi_3007_ = _e979;
+                                                let _e1560 = phi_3000_;
+                                                phi_3001_ = _e1560;
                                             }
-                                            let _e981 = phi_3007_;
-                                            phi_3011_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e702.member.member.x + _e809), (_e702.member.member.x + _e831), (_e702.member.member_1.x - _e848), (_e702.member.member_1.x - _e870)), vec4<f32>((_e702.member.member.y + _e818), (_e702.member.member.y + _e835), (_e702.member.member_1.y - _e857), (_e702.member.member_1.y - _e874)), vec4<f32>((_e702.member.member.z + _e827), (_e702.member.member.z + _e839), (_e702.member.member_1.z - _e866), (_e702.member.member_1.z - _e878))), type_49(type_32((_e702.member.member + vec4<f32>(_e809, _e818, _e827, 0f)), (_e702.member.member_1 - vec4<f32>(_e848, _e857, _e866, 0f))), _e957), type_49(type_32((_e702.member.member + vec4<f32>(_e831, _e835, _e839, 0f)), (_e702.member.member_1 - vec4<f32>(_e870, _e874, _e878, 0f))), _e981));
+                                            let _e1562 = phi_3001_;
+                                            phi_3005_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e702.member.member.x + _e1390), (_e702.member.member.x + _e1412), (_e702.member.member_1.x - _e1429), (_e702.member.member_1.x - _e1451)), vec4<f32>((_e702.member.member.y + _e1399), (_e702.member.member.y + _e1416), (_e702.member.member_1.y - _e1438), (_e702.member.member_1.y - _e1455)), vec4<f32>((_e702.member.member.z + _e1408), (_e702.member.member.z + _e1420), (_e702.member.member_1.z - _e1447), (_e702.member.member_1.z - _e1459))), type_49(type_32((_e702.member.member + vec4<f32>(_e1390, _e1399, _e1408, 0f)), (_e702.member.member_1 - vec4<f32>(_e1429, _e1438, _e1447, 0f))), _e1538), type_49(type_32((_e702.member.member + vec4<f32>(_e1412, _e1416, _e1420, 0f)), (_e702.member.member_1 - vec4<f32>(_e1451, _e1455, _e1459, 0f))), _e1562));
                                         }
-                                        let _e986 = phi_3011_;
-                                        let _e998 = ((_e986.member[0].x - _e362) * _e367);
-                                        let _e999 = ((_e986.member[0].y - _e362) * _e367);
-                                        let _e1000 = ((_e986.member[0].z - _e363) * _e367);
-                                        let _e1001 = ((_e986.member[0].w - _e363) * _e367);
-                                        let _e1011 = ((_e986.member[1].x - _e430) * _e435);
-                                        let _e1012 = ((_e986.member[1].y - _e430) * _e435);
-                                        let _e1013 = ((_e986.member[1].z - _e431) * _e435);
-                                        let _e1014 = ((_e986.member[1].w - _e431) * _e435);
-                                        let _e1024 = ((_e986.member[2].x - _e498) * _e503);
-                                        let _e1025 = ((_e986.member[2].y - _e498) * _e503);
-                                        let _e1026 = ((_e986.member[2].z - _e499) * _e503);
-                                        let _e1027 = ((_e986.member[2].w - _e499) * _e503);
-                                        let _e1029 = select(_e1026, _e1024, (_e1024 < _e1026));
-                                        let _e1031 = select(_e1027, _e1025, (_e1025 < _e1027));
-                                        let _e1033 = select(_e1026, _e1024, (_e1024 > _e1026));
-                                        let _e1035 = select(_e1027, _e1025, (_e1025 > _e1027));
-                                        let _e1037 = select(_e1000, _e998, (_e998 < _e1000));
-                                        let _e1039 = select(_e1001, _e999, (_e999 < _e1001));
-                                        let _e1041 = select(_e1013, _e1011, (_e1011 < _e1013));
-                                        let _e1043 = select(_e1014, _e1012, (_e1012 < _e1014));
-                                        let _e1045 = select(_e1041, _e1037, (_e1037 > _e1041));
-                                        let _e1047 = select(_e1043, _e1039, (_e1039 > _e1043));
-                                        let _e1049 = select(_e1029, _e1045, (_e1045 > _e1029));
-                                        let _e1051 = select(_e1031, _e1047, (_e1047 > _e1031));
-                                        let _e1053 = select(_e1000, _e998, (_e998 > _e1000));
-                                        let _e1055 = select(_e1001, _e999, (_e999 > _e1001));
-                                        let _e1057 = select(_e1013, _e1011, (_e1011 > _e1013));
-                                        let _e1059 = select(_e1014, _e1012, (_e1012 > _e1014));
-                                        let _e1061 = select(_e1057, _e1053, (_e1053 < _e1057));
-                                        let _e1063 = select(_e1059, _e1055, (_e1055 < _e1059));
-                                        let _e1068 = -(_e1029);
-                                        let _e1069 = -(_e1031);
-                                        let _e1076 = (select(_e1033, _e1061, (_e1061 < _e1033)) + (select(_e1068, _e1033, (_e1033 > _e1068)) * 0.0000019073523f));
-                                        let _e1077 = (select(_e1035, _e1063, (_e1063 < _e1035)) + (select(_e1069, _e1035, (_e1035 > _e1069)) * 0.0000019073523f));
-                                        let _e1079 = select(_e615, _e1049, (_e1049 > _e615));
-                                        let _e1081 = select(_e615, _e1051, (_e1051 > _e615));
-                                        let _e1086 = (_e1079 <= select(_e659.member, _e1076, (_e1076 < _e659.member)));
-                                        let _e1087 = (_e1081 <= select(_e659.member, _e1077, (_e1077 < _e659.member)));
-                                        let _e1088 = (_e1079 <= _e1081);
-                                        if _e1086 {
-                                            if _e1087 {
-                                                if _e1088 {
-                                                    phi_3373_ = _e986.member_2;
+                                        let _e1567 = phi_3005_;
+                                        let _e1579 = ((_e1567.member[0].x - _e362) * _e367);
+                                        let _e1580 = ((_e1567.member[0].y - _e362) * _e367);
+                                        let _e1581 = ((_e1567.member[0].z - _e363) * _e367);
+                                        let _e1582 = ((_e1567.member[0].w - _e363) * _e367);
+                                        let _e1592 = ((_e1567.member[1].x - _e430) * _e435);
+                                        let _e1593 = ((_e1567.member[1].y - _e430) * _e435);
+                                        let _e1594 = ((_e1567.member[1].z - _e431) * _e435);
+                                        let _e1595 = ((_e1567.member[1].w - _e431) * _e435);
+                                        let _e1605 = ((_e1567.member[2].x - _e498) * _e503);
+                                        let _e1606 = ((_e1567.member[2].y - _e498) * _e503);
+                                        let _e1607 = ((_e1567.member[2].z - _e499) * _e503);
+                                        let _e1608 = ((_e1567.member[2].w - _e499) * _e503);
+                                        let _e1610 = select(_e1607, _e1605, (_e1605 < _e1607));
+                                        let _e1612 = select(_e1608, _e1606, (_e1606 < _e1608));
+                                        let _e1614 = select(_e1607, _e1605, (_e1605 > _e1607));
+                                        let _e1616 = select(_e1608, _e1606, (_e1606 > _e1608));
+                                        let _e1618 = select(_e1581, _e1579, (_e1579 < _e1581));
+                                        let _e1620 = select(_e1582, _e1580, (_e1580 < _e1582));
+                                        let _e1622 = select(_e1594, _e1592, (_e1592 < _e1594));
+                                        let _e1624 = select(_e1595, _e1593, (_e1593 < _e1595));
+                                        let _e1626 = select(_e1622, _e1618, (_e1618 > _e1622));
+                                        let _e1628 = select(_e1624, _e1620, (_e1620 > _e1624));
+                                        let _e1630 = select(_e1610, _e1626, (_e1626 > _e1610));
+                                        let _e1632 = select(_e1612, _e1628, (_e1628 > _e1612));
+                                        let _e1634 = select(_e1581, _e1579, (_e1579 > _e1581));
+                                        let _e1636 = select(_e1582, _e1580, (_e1580 > _e1582));
+                                        let _e1638 = select(_e1594, _e1592, (_e1592 > _e1594));
+                                        let _e1640 = select(_e1595, _e1593, (_e1593 > _e1595));
+                                        let _e1642 = select(_e1638, _e1634, (_e1634 < _e1638));
+                                        let _e1644 = select(_e1640, _e1636, (_e1636 < _e1640));
+                                        let _e1649 = -(_e1610);
+                                        let _e1650 = -(_e1612);
+                                        let _e1657 = (select(_e1614, _e1642, (_e1642 < _e1614)) + (select(_e1649, _e1614, (_e1614 > _e1649)) * 0.0000019073523f));
+                                        let _e1658 = (select(_e1616, _e1644, (_e1644 < _e1616)) + (select(_e1650, _e1616, (_e1616 > _e1650)) * 0.0000019073523f));
+                                        let _e1660 = select(_e615, _e1630, (_e1630 > _e615));
+                                        let _e1662 = select(_e615, _e1632, (_e1632 > _e615));
+                                        let _e1667 = (_e1660 <= select(_e1291.member, _e1657, (_e1657 < _e1291.member)));
+                                        let _e1668 = (_e1662 <= select(_e1291.member, _e1658, (_e1658 < _e1291.member)));
+                                        let _e1669 = (_e1660 <= _e1662);
+                                        if _e1667 {
+                                            if _e1668 {
+                                                if _e1669 {
+                                                    phi_3367_ = _e1567.member_2;
                                                 } else {
-                                                    phi_3373_ = _e986.member_1;
+                                                    phi_3367_ = _e1567.member_1;
                                                 }
-                                                let _e1092 = phi_3373_;
-                                                let _e1114 = (_e700 % 128u);
-                                                let _e1115 = (_e1114 < 128u);
-                                                if _e1115 {
+                                                let _e1673 = phi_3367_;
+                                                let _e1694 = (_e700 % 128u);
+                                                let _e1695 = (_e1694 < 128u);
+                                                if _e1695 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1114] = _e1092.member_1;
-                                                if _e1115 {
+                                                local_8[_e1694] = _e1673.member_1;
+                                                if _e1695 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1114] = _e1092.member.member.x;
-                                                if _e1115 {
+                                                local_7[_e1694] = _e1673.member.member.x;
+                                                if _e1695 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1114] = _e1092.member.member.y;
-                                                if _e1115 {
+                                                local_6[_e1694] = _e1673.member.member.y;
+                                                if _e1695 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1114] = _e1092.member.member.z;
-                                                if _e1115 {
+                                                local_5[_e1694] = _e1673.member.member.z;
+                                                if _e1695 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1114] = _e1092.member.member_1.x;
-                                                if _e1115 {
+                                                local_4[_e1694] = _e1673.member.member_1.x;
+                                                if _e1695 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1114] = _e1092.member.member_1.y;
-                                                if _e1115 {
+                                                local_3[_e1694] = _e1673.member.member_1.y;
+                                                if _e1695 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1114] = _e1092.member.member_1.z;
-                                                if _e1115 {
+                                                local_2[_e1694] = _e1673.member.member_1.z;
+                                                if _e1695 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1114] = select(_e1081, _e1079, !(_e1088));
-                                                if _e1088 {
-                                                    phi_3450_ = _e986.member_1;
+                                                local_9[_e1694] = select(_e1660, _e1662, _e1669);
+                                                if _e1669 {
+                                                    phi_3443_ = _e1567.member_1;
                                                 } else {
-                                                    phi_3450_ = _e986.member_2;
+                                                    phi_3443_ = _e1567.member_2;
                                                 }
-                                                let _e1128 = phi_3450_;
-                                                phi_3451_ = (_e700 + 1u);
-                                                phi_3452_ = _e1128;
+                                                let _e1708 = phi_3443_;
+                                                phi_3444_ = (_e700 + 1u);
+                                                phi_3445_ = _e1708;
                                             } else {
-                                                phi_3451_ = u32();
-                                                phi_3452_ = type_49();
+                                                phi_3444_ = u32();
+                                                phi_3445_ = type_49();
                                             }
-                                            let _e1130 = phi_3451_;
-                                            let _e1132 = phi_3452_;
-                                            phi_3454_ = _e1130;
-                                            phi_3455_ = _e1132;
-                                            phi_3456_ = select(true, false, _e1087);
+                                            let _e1710 = phi_3444_;
+                                            let _e1712 = phi_3445_;
+                                            phi_3447_ = _e1710;
+                                            phi_3448_ = _e1712;
+                                            phi_3449_ = select(true, false, _e1668);
                                         } else {
-                                            phi_3454_ = u32();
-                                            phi_3455_ = type_49();
-                                            phi_3456_ = true;
+                                            phi_3447_ = u32();
+                                            phi_3448_ = type_49();
+                                            phi_3449_ = true;
                                         }
-                                        let _e1135 = phi_3454_;
-                                        let _e1137 = phi_3455_;
-                                        let _e1139 = phi_3456_;
-                                        if _e1139 {
-                                            if _e1086 {
-                                                phi_3465_ = _e986.member_1;
+                                        let _e1715 = phi_3447_;
+                                        let _e1717 = phi_3448_;
+                                        let _e1719 = phi_3449_;
+                                        if _e1719 {
+                                            if _e1667 {
+                                                phi_3458_ = _e1567.member_1;
                                             } else {
-                                                phi_3465_ = _e986.member_2;
+                                                phi_3458_ = _e1567.member_2;
                                             }
-                                            let _e1143 = phi_3465_;
-                                            phi_3470_ = select(_e1087, true, _e1086);
-                                            phi_3472_ = _e1143;
+                                            let _e1723 = phi_3458_;
+                                            phi_3463_ = select(_e1668, true, _e1667);
+                                            phi_3465_ = _e1723;
                                         } else {
-                                            phi_3470_ = _e698;
-                                            phi_3472_ = _e1137;
+                                            phi_3463_ = _e698;
+                                            phi_3465_ = _e1717;
                                         }
-                                        let _e1146 = phi_3470_;
-                                        let _e1148 = phi_3472_;
-                                        phi_3879_ = _e657;
-                                        phi_3476_ = _e659;
-                                        phi_3477_ = _e1146;
-                                        phi_3478_ = select(_e1135, _e700, _e1139);
-                                        phi_3479_ = _e1148;
+                                        let _e1726 = phi_3463_;
+                                        let _e1728 = phi_3465_;
+                                        phi_3469_ = _e1726;
+                                        phi_3470_ = select(_e1715, _e700, _e1719);
+                                        phi_3471_ = _e1728;
                                     }
-                                    let _e1732 = phi_3879_;
-                                    let _e1734 = phi_3476_;
-                                    let _e1736 = phi_3477_;
-                                    let _e1738 = phi_3478_;
-                                    let _e1740 = phi_3479_;
-                                    phi_3878_ = _e1732;
-                                    phi_3480_ = _e1734;
-                                    phi_3481_ = _e1736;
-                                    phi_3482_ = (_e663 - 1u);
-                                    phi_3483_ = _e1738;
-                                    phi_3484_ = _e1740;
+                                    let _e1731 = phi_3469_;
+                                    let _e1733 = phi_3470_;
+                                    let _e1735 = phi_3471_;
+                                    if _e706 {
+                                        phi_3481_ = select(_e700, 0u, _e1291.member_1);
+                                        phi_3482_ = _e702;
+                                    } else {
+                                        phi_3481_ = _e1733;
+                                        phi_3482_ = _e1735;
+                                    }
+                                    let _e1739 = phi_3481_;
+                                    let _e1741 = phi_3482_;
+                                    phi_3881_ = _e1289;
+                                    phi_3483_ = _e1291;
+                                    phi_3484_ = (_e661 - 1u);
+                                    phi_3485_ = select(_e1731, false, _e706);
+                                    phi_3486_ = _e1739;
+                                    phi_3487_ = _e1741;
                                 } else {
-                                    phi_3878_ = _e657;
-                                    phi_3480_ = _e659;
-                                    phi_3481_ = _e698;
-                                    phi_3482_ = _e663;
-                                    phi_3483_ = _e700;
-                                    phi_3484_ = _e702;
+                                    phi_3881_ = _e657;
+                                    phi_3483_ = _e659;
+                                    phi_3484_ = _e661;
+                                    phi_3485_ = _e698;
+                                    phi_3486_ = _e700;
+                                    phi_3487_ = _e702;
                                 }
-                                let _e1742 = phi_3878_;
-                                let _e1744 = phi_3480_;
-                                let _e1746 = phi_3481_;
-                                let _e1748 = phi_3482_;
-                                let _e1750 = phi_3483_;
-                                let _e1752 = phi_3484_;
-                                phi_3877_ = _e1742;
-                                phi_3485_ = _e1744;
-                                phi_3486_ = _e1746;
-                                phi_3487_ = _e1748;
-                                phi_3488_ = _e1750;
-                                phi_3489_ = _e1752;
+                                let _e1744 = phi_3881_;
+                                let _e1746 = phi_3483_;
+                                let _e1748 = phi_3484_;
+                                let _e1750 = phi_3485_;
+                                let _e1752 = phi_3486_;
+                                let _e1754 = phi_3487_;
+                                phi_3880_ = _e1744;
+                                phi_3488_ = _e1746;
+                                phi_3489_ = _e1748;
+                                phi_3490_ = _e1750;
+                                phi_3491_ = _e1752;
+                                phi_3492_ = _e1754;
                             } else {
-                                phi_3877_ = _e657;
-                                phi_3485_ = type_42();
-                                phi_3486_ = bool();
-                                phi_3487_ = u32();
-                                phi_3488_ = u32();
-                                phi_3489_ = type_49();
+                                phi_3880_ = _e657;
+                                phi_3488_ = type_42();
+                                phi_3489_ = u32();
+                                phi_3490_ = bool();
+                                phi_3491_ = u32();
+                                phi_3492_ = type_49();
                             }
-                            let _e1754 = phi_3877_;
-                            let _e1756 = phi_3485_;
-                            let _e1758 = phi_3486_;
-                            let _e1760 = phi_3487_;
-                            let _e1762 = phi_3488_;
-                            let _e1764 = phi_3489_;
-                            phi_3876_ = _e1754;
-                            phi_1063_ = _e1756;
-                            phi_1066_ = _e1758;
-                            phi_1068_ = _e1760;
-                            phi_1070_ = _e1762;
-                            phi_1072_ = _e1764;
-                            phi_3490_ = _e671;
+                            let _e1756 = phi_3880_;
+                            let _e1758 = phi_3488_;
+                            let _e1760 = phi_3489_;
+                            let _e1762 = phi_3490_;
+                            let _e1764 = phi_3491_;
+                            let _e1766 = phi_3492_;
+                            phi_3879_ = _e1756;
+                            phi_1063_ = _e1758;
+                            phi_1066_ = _e1760;
+                            phi_1068_ = _e1762;
+                            phi_1070_ = _e1764;
+                            phi_1072_ = _e1766;
+                            phi_3493_ = _e671;
                         } else {
-                            phi_3876_ = _e657;
+                            phi_3879_ = _e657;
                             phi_1063_ = type_42();
-                            phi_1066_ = bool();
-                            phi_1068_ = u32();
+                            phi_1066_ = u32();
+                            phi_1068_ = bool();
                             phi_1070_ = u32();
                             phi_1072_ = type_49();
-                            phi_3490_ = false;
+                            phi_3493_ = false;
                         }
-                        let _e1766 = phi_3876_;
-                        let _e1768 = phi_1063_;
-                        let _e1770 = phi_1066_;
-                        let _e1772 = phi_1068_;
-                        let _e1774 = phi_1070_;
-                        let _e1776 = phi_1072_;
-                        let _e1778 = phi_3490_;
+                        let _e1768 = phi_3879_;
+                        let _e1770 = phi_1063_;
+                        let _e1772 = phi_1066_;
+                        let _e1774 = phi_1068_;
+                        let _e1776 = phi_1070_;
+                        let _e1778 = phi_1072_;
+                        let _e1780 = phi_3493_;
                         continue;
                         continuing {
-                            phi_3724_ = _e1766;
-                            phi_1062_ = _e1768;
-                            phi_1065_ = _e1770;
-                            phi_1067_ = _e1772;
-                            phi_1069_ = _e1774;
-                            phi_1071_ = _e1776;
-                            phi_3875_ = _e1766;
-                            break if !(_e1778);
+                            phi_3727_ = _e1768;
+                            phi_1062_ = _e1770;
+                            phi_1065_ = _e1772;
+                            phi_1067_ = _e1774;
+                            phi_1069_ = _e1776;
+                            phi_1071_ = _e1778;
+                            phi_3878_ = _e1768;
+                            break if !(_e1780);
                         }
                     }
-                    let _e1781 = phi_3875_;
-                    if _e1781 {
+                    let _e1783 = phi_3878_;
+                    if _e1783 {
                         break;
                     }
-                    let _e1783 = local_11;
+                    let _e1785 = local_10;
                     if _e148 {
                     } else {
                         break;
                     }
-                    global_6.member[_e146] = select(0u, 1u, _e1783.member_1);
+                    global_6.member[_e146] = select(0u, 1u, _e1785.member_1);
                 }
             }
             break;

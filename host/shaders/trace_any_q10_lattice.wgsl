@@ -118,36 +118,16 @@ fn function_() {
     var phi_982_: u32;
     var phi_990_: f32;
     var phi_991_: f32;
-    var phi_4394_: bool;
+    var phi_4397_: bool;
     var phi_1087_: type_38;
-    var phi_1090_: bool;
-    var phi_1092_: u32;
+    var phi_1090_: u32;
+    var phi_1092_: bool;
     var phi_1094_: u32;
     var phi_1096_: type_45;
     var phi_1107_: bool;
     var phi_1193_: bool;
     var phi_1194_: u32;
     var phi_1195_: type_45;
-    var phi_3398_: u32;
-    var phi_3404_: u32;
-    var phi_3658_: u32;
-    var phi_3659_: u32;
-    var phi_3669_: u32;
-    var phi_3671_: u32;
-    var phi_3672_: bool;
-    var phi_3692_: u32;
-    var phi_3693_: u32;
-    var phi_3697_: type_46;
-    var phi_4059_: type_45;
-    var phi_4136_: type_45;
-    var phi_4137_: u32;
-    var phi_4138_: type_45;
-    var phi_4140_: u32;
-    var phi_4141_: type_45;
-    var phi_4142_: bool;
-    var phi_4151_: type_45;
-    var phi_4156_: bool;
-    var phi_4158_: type_45;
     var phi_1214_: type_38;
     var phi_1217_: type_8;
     var phi_1218_: type_8;
@@ -224,35 +204,56 @@ fn function_() {
     var phi_2888_: type_38;
     var phi_2889_: type_38;
     var phi_1215_: type_38;
-    var phi_4388_: bool;
-    var local_10: type_38;
+    var phi_4391_: bool;
+    var phi_4686_: bool;
+    var phi_2890_: type_38;
+    var phi_3392_: u32;
+    var phi_3398_: u32;
+    var phi_3652_: u32;
+    var phi_3653_: u32;
+    var phi_3663_: u32;
+    var phi_3665_: u32;
+    var phi_3666_: bool;
+    var phi_3686_: u32;
+    var phi_3687_: u32;
+    var phi_3691_: type_46;
+    var phi_4053_: type_45;
+    var phi_4129_: type_45;
+    var phi_4130_: u32;
+    var phi_4131_: type_45;
+    var phi_4133_: u32;
+    var phi_4134_: type_45;
+    var phi_4135_: bool;
+    var phi_4144_: type_45;
+    var phi_4149_: bool;
+    var phi_4151_: type_45;
+    var phi_4155_: bool;
+    var phi_4156_: u32;
+    var phi_4157_: type_45;
+    var phi_4167_: u32;
+    var phi_4168_: type_45;
+    var phi_4598_: bool;
+    var phi_4169_: type_38;
+    var phi_4170_: u32;
+    var phi_4171_: bool;
+    var phi_4172_: u32;
+    var phi_4173_: type_45;
+    var phi_4597_: bool;
+    var phi_4174_: type_38;
+    var phi_4175_: u32;
+    var phi_4176_: bool;
+    var phi_4177_: u32;
+    var phi_4178_: type_45;
     var phi_4596_: bool;
-    var phi_4162_: type_38;
-    var phi_4163_: bool;
-    var phi_4164_: u32;
-    var phi_4165_: type_45;
-    var phi_4595_: bool;
-    var phi_4166_: type_38;
-    var phi_4167_: bool;
-    var phi_4168_: u32;
-    var phi_4169_: u32;
-    var phi_4170_: type_45;
-    var phi_4594_: bool;
-    var phi_4171_: type_38;
-    var phi_4172_: bool;
-    var phi_4173_: u32;
-    var phi_4174_: u32;
-    var phi_4175_: type_45;
-    var phi_4593_: bool;
     var phi_1088_: type_38;
-    var phi_1091_: bool;
-    var phi_1093_: u32;
+    var phi_1091_: u32;
+    var phi_1093_: bool;
     var phi_1095_: u32;
     var phi_1097_: type_45;
-    var phi_4176_: bool;
-    var phi_4592_: bool;
+    var phi_4179_: bool;
+    var phi_4595_: bool;
+    var local_10: type_38;
     var local_11: type_38;
-    var local_12: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -616,31 +617,31 @@ fn function_() {
                         break;
                     }
                     let _e654 = local[_e638];
-                    phi_4394_ = false;
+                    phi_4397_ = false;
                     phi_1087_ = type_38(_e620, false);
-                    phi_1090_ = (_e622 <= _e620);
-                    phi_1092_ = ((3u * _e96) + 1u);
+                    phi_1090_ = ((3u * _e96) + 1u);
+                    phi_1092_ = (_e622 <= _e620);
                     phi_1094_ = 0u;
                     phi_1096_ = type_45(type_28(vec4<f32>((f32(_e629) * _e147), (f32(_e635) * _e147), (f32(_e641) * _e147), 0f), vec4<f32>((f32(_e646) * _e147), (f32(_e650) * _e147), (f32(_e654) * _e147), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
                     loop {
-                        let _e664 = phi_4394_;
+                        let _e664 = phi_4397_;
                         let _e666 = phi_1087_;
                         let _e668 = phi_1090_;
                         let _e670 = phi_1092_;
                         let _e672 = phi_1094_;
                         let _e674 = phi_1096_;
-                        local_11 = _e666;
-                        if _e668 {
+                        local_10 = _e666;
+                        if _e670 {
                             phi_1107_ = true;
                         } else {
                             phi_1107_ = (_e672 > 0u);
                         }
                         let _e677 = phi_1107_;
                         if _e677 {
-                            let _e678 = (_e670 > 0u);
+                            let _e678 = (_e668 > 0u);
                             if _e678 {
-                                if _e668 {
-                                    phi_1193_ = _e668;
+                                if _e670 {
+                                    phi_1193_ = _e670;
                                     phi_1194_ = _e672;
                                     phi_1195_ = _e674;
                                 } else {
@@ -649,49 +650,49 @@ fn function_() {
                                     let _e681 = (_e680 < 128u);
                                     if _e681 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e683 = local_7[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e685 = local_6[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e687 = local_5[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e689 = local_4[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e691 = local_3[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e693 = local_2[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e698 = local_8[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e701 = local_9[_e680];
@@ -703,39 +704,39 @@ fn function_() {
                                 let _e707 = phi_1194_;
                                 let _e709 = phi_1195_;
                                 if _e705 {
+                                    let _e713 = ((_e709.member_1 & 2147483648u) != 0u);
                                     let _e714 = (_e709.member_1 & 268435455u);
-                                    if ((_e709.member_1 & 2147483648u) != 0u) {
+                                    if _e713 {
                                         phi_1214_ = _e666;
                                         phi_1217_ = type_8(0u, ((_e709.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1180 = phi_1214_;
-                                            let _e1182 = phi_1217_;
-                                            local_10 = _e1180;
-                                            local_12 = _e1180;
-                                            if (_e1182.member < _e1182.member_1) {
-                                                phi_1218_ = type_8((_e1182.member + 1u), _e1182.member_1);
-                                                phi_1240_ = type_8(1u, _e1182.member);
+                                            let _e721 = phi_1214_;
+                                            let _e723 = phi_1217_;
+                                            local_11 = _e721;
+                                            if (_e723.member < _e723.member_1) {
+                                                phi_1218_ = type_8((_e723.member + 1u), _e723.member_1);
+                                                phi_1240_ = type_8(1u, _e723.member);
                                             } else {
-                                                phi_1218_ = _e1182;
+                                                phi_1218_ = _e723;
                                                 phi_1240_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1195 = phi_1218_;
-                                            let _e1197 = phi_1240_;
-                                            let _e1201 = (bitcast<i32>(_e1197.member) != 0i);
-                                            if _e1201 {
-                                                let _e1206 = (_e709.member.member_1.x - _e709.member.member.x);
-                                                let _e1209 = (_e709.member.member_1.y - _e709.member.member.y);
-                                                let _e1212 = (_e709.member.member_1.z - _e709.member.member.z);
-                                                let _e1214 = select(_e1209, _e1206, (_e1206 > _e1209));
-                                                let _e1216 = select(_e1212, _e1214, (_e1214 > _e1212));
-                                                let _e1218 = (_e1216 < (1024f * _e147));
-                                                if _e1218 {
+                                            let _e736 = phi_1218_;
+                                            let _e738 = phi_1240_;
+                                            let _e742 = (bitcast<i32>(_e738.member) != 0i);
+                                            if _e742 {
+                                                let _e747 = (_e709.member.member_1.x - _e709.member.member.x);
+                                                let _e750 = (_e709.member.member_1.y - _e709.member.member.y);
+                                                let _e753 = (_e709.member.member_1.z - _e709.member.member.z);
+                                                let _e755 = select(_e750, _e747, (_e747 > _e750));
+                                                let _e757 = select(_e753, _e755, (_e755 > _e753));
+                                                let _e759 = (_e757 < (1024f * _e147));
+                                                if _e759 {
                                                     phi_1281_ = 0u;
                                                 } else {
-                                                    phi_1281_ = select(2u, 1u, (_e1216 < (2097152f * _e147)));
+                                                    phi_1281_ = select(2u, 1u, (_e757 < (2097152f * _e147)));
                                                 }
-                                                let _e1223 = phi_1281_;
-                                                switch bitcast<i32>(_e1223) {
+                                                let _e764 = phi_1281_;
+                                                switch bitcast<i32>(_e764) {
                                                     case 0: {
                                                         phi_1287_ = 1u;
                                                         break;
@@ -753,8 +754,8 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1226 = phi_1287_;
-                                                switch bitcast<i32>(_e1223) {
+                                                let _e767 = phi_1287_;
+                                                switch bitcast<i32>(_e764) {
                                                     case 0: {
                                                         phi_1297_ = 1u;
                                                         break;
@@ -772,28 +773,28 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1233 = phi_1297_;
-                                                let _e1235 = ((_e714 + (_e1197.member_1 * ((3u * _e1226) + 1u))) + (3u * _e1233));
-                                                let _e1236 = (_e1235 < _e99);
-                                                if _e1236 {
-                                                    if _e1236 {
+                                                let _e774 = phi_1297_;
+                                                let _e776 = ((_e714 + (_e738.member_1 * ((3u * _e767) + 1u))) + (3u * _e774));
+                                                let _e777 = (_e776 < _e99);
+                                                if _e777 {
+                                                    if _e777 {
                                                     } else {
-                                                        phi_4388_ = true;
+                                                        phi_4391_ = true;
                                                         break;
                                                     }
-                                                    let _e1238 = global_6.member[_e1235];
-                                                    phi_1313_ = _e1238;
+                                                    let _e779 = global_6.member[_e776];
+                                                    phi_1313_ = _e779;
                                                 } else {
                                                     phi_1313_ = 4294967295u;
                                                 }
-                                                let _e1240 = phi_1313_;
-                                                if _e1218 {
+                                                let _e781 = phi_1313_;
+                                                if _e759 {
                                                     phi_1346_ = 0u;
                                                 } else {
-                                                    phi_1346_ = select(2u, 1u, (_e1216 < (2097152f * _e147)));
+                                                    phi_1346_ = select(2u, 1u, (_e757 < (2097152f * _e147)));
                                                 }
-                                                let _e1245 = phi_1346_;
-                                                switch bitcast<i32>(_e1245) {
+                                                let _e786 = phi_1346_;
+                                                switch bitcast<i32>(_e786) {
                                                     case 0: {
                                                         phi_1352_ = 1u;
                                                         break;
@@ -811,331 +812,331 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1248 = phi_1352_;
-                                                let _e1252 = (_e714 + (_e1197.member_1 * ((3u * _e1248) + 1u)));
-                                                switch bitcast<i32>(_e1245) {
+                                                let _e789 = phi_1352_;
+                                                let _e793 = (_e714 + (_e738.member_1 * ((3u * _e789) + 1u)));
+                                                switch bitcast<i32>(_e786) {
                                                     case 0: {
-                                                        let _e1527 = (_e1252 < _e99);
-                                                        if _e1527 {
-                                                            if _e1527 {
+                                                        let _e1068 = (_e793 < _e99);
+                                                        if _e1068 {
+                                                            if _e1068 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1529 = global_6.member[_e1252];
-                                                            phi_1379_ = _e1529;
+                                                            let _e1070 = global_6.member[_e793];
+                                                            phi_1379_ = _e1070;
                                                         } else {
                                                             phi_1379_ = 0u;
                                                         }
-                                                        let _e1531 = phi_1379_;
-                                                        let _e1533 = ((10u * _e267) & 31u);
-                                                        let _e1543 = ((10u * _e266) & 31u);
-                                                        let _e1553 = ((10u * _e268) & 31u);
-                                                        let _e1563 = (_e1252 + 1u);
-                                                        let _e1564 = (_e1563 < _e99);
-                                                        if _e1564 {
-                                                            if _e1564 {
+                                                        let _e1072 = phi_1379_;
+                                                        let _e1074 = ((10u * _e267) & 31u);
+                                                        let _e1084 = ((10u * _e266) & 31u);
+                                                        let _e1094 = ((10u * _e268) & 31u);
+                                                        let _e1104 = (_e793 + 1u);
+                                                        let _e1105 = (_e1104 < _e99);
+                                                        if _e1105 {
+                                                            if _e1105 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1566 = global_6.member[_e1563];
-                                                            phi_1428_ = _e1566;
+                                                            let _e1107 = global_6.member[_e1104];
+                                                            phi_1428_ = _e1107;
                                                         } else {
                                                             phi_1428_ = 0u;
                                                         }
-                                                        let _e1568 = phi_1428_;
-                                                        let _e1594 = (_e1252 + 2u);
-                                                        let _e1595 = (_e1594 < _e99);
-                                                        if _e1595 {
-                                                            if _e1595 {
+                                                        let _e1109 = phi_1428_;
+                                                        let _e1135 = (_e793 + 2u);
+                                                        let _e1136 = (_e1135 < _e99);
+                                                        if _e1136 {
+                                                            if _e1136 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1597 = global_6.member[_e1594];
-                                                            phi_1477_ = _e1597;
+                                                            let _e1138 = global_6.member[_e1135];
+                                                            phi_1477_ = _e1138;
                                                         } else {
                                                             phi_1477_ = 0u;
                                                         }
-                                                        let _e1599 = phi_1477_;
-                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1531 >> bitcast<u32>(_e1533)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1531 >> bitcast<u32>(_e1543)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1531 >> bitcast<u32>(_e1553)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1568 >> bitcast<u32>(_e1533)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1568 >> bitcast<u32>(_e1543)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1568 >> bitcast<u32>(_e1553)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1599 >> bitcast<u32>(_e1533)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1599 >> bitcast<u32>(_e1543)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1599 >> bitcast<u32>(_e1553)) & 1023u))) - 8388608f) * _e147))));
+                                                        let _e1140 = phi_1477_;
+                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1072 >> bitcast<u32>(_e1074)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1072 >> bitcast<u32>(_e1084)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1072 >> bitcast<u32>(_e1094)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1109 >> bitcast<u32>(_e1074)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1109 >> bitcast<u32>(_e1084)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1109 >> bitcast<u32>(_e1094)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1140 >> bitcast<u32>(_e1074)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1140 >> bitcast<u32>(_e1084)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1140 >> bitcast<u32>(_e1094)) & 1023u))) - 8388608f) * _e147))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1341 = (_e1252 < _e99);
-                                                        if _e1341 {
-                                                            if _e1341 {
+                                                        let _e882 = (_e793 < _e99);
+                                                        if _e882 {
+                                                            if _e882 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1343 = global_6.member[_e1252];
-                                                            phi_1526_ = _e1343;
+                                                            let _e884 = global_6.member[_e793];
+                                                            phi_1526_ = _e884;
                                                         } else {
                                                             phi_1526_ = 0u;
                                                         }
-                                                        let _e1345 = phi_1526_;
-                                                        let _e1346 = (_e1252 + 1u);
-                                                        let _e1347 = (_e1346 < _e99);
-                                                        if _e1347 {
-                                                            if _e1347 {
+                                                        let _e886 = phi_1526_;
+                                                        let _e887 = (_e793 + 1u);
+                                                        let _e888 = (_e887 < _e99);
+                                                        if _e888 {
+                                                            if _e888 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1349 = global_6.member[_e1346];
-                                                            phi_1541_ = _e1349;
+                                                            let _e890 = global_6.member[_e887];
+                                                            phi_1541_ = _e890;
                                                         } else {
                                                             phi_1541_ = 0u;
                                                         }
-                                                        let _e1351 = phi_1541_;
-                                                        let _e1352 = (_e267 == 1u);
-                                                        if _e1352 {
-                                                            phi_1551_ = ((_e1345 >> bitcast<u32>(21i)) | (_e1351 << bitcast<u32>(11i)));
+                                                        let _e892 = phi_1541_;
+                                                        let _e893 = (_e267 == 1u);
+                                                        if _e893 {
+                                                            phi_1551_ = ((_e886 >> bitcast<u32>(21i)) | (_e892 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1551_ = (_e1351 >> bitcast<u32>(10i));
+                                                            phi_1551_ = (_e892 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1361 = phi_1551_;
-                                                        let _e1369 = (_e266 == 1u);
-                                                        if _e1369 {
-                                                            phi_1572_ = ((_e1345 >> bitcast<u32>(21i)) | (_e1351 << bitcast<u32>(11i)));
+                                                        let _e902 = phi_1551_;
+                                                        let _e910 = (_e266 == 1u);
+                                                        if _e910 {
+                                                            phi_1572_ = ((_e886 >> bitcast<u32>(21i)) | (_e892 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1572_ = (_e1351 >> bitcast<u32>(10i));
+                                                            phi_1572_ = (_e892 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1378 = phi_1572_;
-                                                        let _e1386 = (_e268 == 1u);
-                                                        if _e1386 {
-                                                            phi_1593_ = ((_e1345 >> bitcast<u32>(21i)) | (_e1351 << bitcast<u32>(11i)));
+                                                        let _e919 = phi_1572_;
+                                                        let _e927 = (_e268 == 1u);
+                                                        if _e927 {
+                                                            phi_1593_ = ((_e886 >> bitcast<u32>(21i)) | (_e892 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1593_ = (_e1351 >> bitcast<u32>(10i));
+                                                            phi_1593_ = (_e892 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1395 = phi_1593_;
-                                                        let _e1404 = (_e1252 + 2u);
-                                                        let _e1405 = (_e1404 < _e99);
-                                                        if _e1405 {
-                                                            if _e1405 {
+                                                        let _e936 = phi_1593_;
+                                                        let _e945 = (_e793 + 2u);
+                                                        let _e946 = (_e945 < _e99);
+                                                        if _e946 {
+                                                            if _e946 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1407 = global_6.member[_e1404];
-                                                            phi_1623_ = _e1407;
+                                                            let _e948 = global_6.member[_e945];
+                                                            phi_1623_ = _e948;
                                                         } else {
                                                             phi_1623_ = 0u;
                                                         }
-                                                        let _e1409 = phi_1623_;
-                                                        let _e1410 = (_e1252 + 3u);
-                                                        let _e1411 = (_e1410 < _e99);
-                                                        if _e1411 {
-                                                            if _e1411 {
+                                                        let _e950 = phi_1623_;
+                                                        let _e951 = (_e793 + 3u);
+                                                        let _e952 = (_e951 < _e99);
+                                                        if _e952 {
+                                                            if _e952 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1413 = global_6.member[_e1410];
-                                                            phi_1638_ = _e1413;
+                                                            let _e954 = global_6.member[_e951];
+                                                            phi_1638_ = _e954;
                                                         } else {
                                                             phi_1638_ = 0u;
                                                         }
-                                                        let _e1415 = phi_1638_;
-                                                        if _e1352 {
-                                                            phi_1648_ = ((_e1409 >> bitcast<u32>(21i)) | (_e1415 << bitcast<u32>(11i)));
+                                                        let _e956 = phi_1638_;
+                                                        if _e893 {
+                                                            phi_1648_ = ((_e950 >> bitcast<u32>(21i)) | (_e956 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1648_ = (_e1415 >> bitcast<u32>(10i));
+                                                            phi_1648_ = (_e956 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1424 = phi_1648_;
-                                                        if _e1369 {
-                                                            phi_1669_ = ((_e1409 >> bitcast<u32>(21i)) | (_e1415 << bitcast<u32>(11i)));
+                                                        let _e965 = phi_1648_;
+                                                        if _e910 {
+                                                            phi_1669_ = ((_e950 >> bitcast<u32>(21i)) | (_e956 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1669_ = (_e1415 >> bitcast<u32>(10i));
+                                                            phi_1669_ = (_e956 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1440 = phi_1669_;
-                                                        if _e1386 {
-                                                            phi_1690_ = ((_e1409 >> bitcast<u32>(21i)) | (_e1415 << bitcast<u32>(11i)));
+                                                        let _e981 = phi_1669_;
+                                                        if _e927 {
+                                                            phi_1690_ = ((_e950 >> bitcast<u32>(21i)) | (_e956 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1690_ = (_e1415 >> bitcast<u32>(10i));
+                                                            phi_1690_ = (_e956 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1456 = phi_1690_;
-                                                        let _e1465 = (_e1252 + 4u);
-                                                        let _e1466 = (_e1465 < _e99);
-                                                        if _e1466 {
-                                                            if _e1466 {
+                                                        let _e997 = phi_1690_;
+                                                        let _e1006 = (_e793 + 4u);
+                                                        let _e1007 = (_e1006 < _e99);
+                                                        if _e1007 {
+                                                            if _e1007 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1468 = global_6.member[_e1465];
-                                                            phi_1720_ = _e1468;
+                                                            let _e1009 = global_6.member[_e1006];
+                                                            phi_1720_ = _e1009;
                                                         } else {
                                                             phi_1720_ = 0u;
                                                         }
-                                                        let _e1470 = phi_1720_;
-                                                        let _e1471 = (_e1252 + 5u);
-                                                        let _e1472 = (_e1471 < _e99);
-                                                        if _e1472 {
-                                                            if _e1472 {
+                                                        let _e1011 = phi_1720_;
+                                                        let _e1012 = (_e793 + 5u);
+                                                        let _e1013 = (_e1012 < _e99);
+                                                        if _e1013 {
+                                                            if _e1013 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1474 = global_6.member[_e1471];
-                                                            phi_1735_ = _e1474;
+                                                            let _e1015 = global_6.member[_e1012];
+                                                            phi_1735_ = _e1015;
                                                         } else {
                                                             phi_1735_ = 0u;
                                                         }
-                                                        let _e1476 = phi_1735_;
-                                                        if _e1352 {
-                                                            phi_1745_ = ((_e1470 >> bitcast<u32>(21i)) | (_e1476 << bitcast<u32>(11i)));
+                                                        let _e1017 = phi_1735_;
+                                                        if _e893 {
+                                                            phi_1745_ = ((_e1011 >> bitcast<u32>(21i)) | (_e1017 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1745_ = (_e1476 >> bitcast<u32>(10i));
+                                                            phi_1745_ = (_e1017 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1485 = phi_1745_;
-                                                        if _e1369 {
-                                                            phi_1766_ = ((_e1470 >> bitcast<u32>(21i)) | (_e1476 << bitcast<u32>(11i)));
+                                                        let _e1026 = phi_1745_;
+                                                        if _e910 {
+                                                            phi_1766_ = ((_e1011 >> bitcast<u32>(21i)) | (_e1017 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1766_ = (_e1476 >> bitcast<u32>(10i));
+                                                            phi_1766_ = (_e1017 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1501 = phi_1766_;
-                                                        if _e1386 {
-                                                            phi_1787_ = ((_e1470 >> bitcast<u32>(21i)) | (_e1476 << bitcast<u32>(11i)));
+                                                        let _e1042 = phi_1766_;
+                                                        if _e927 {
+                                                            phi_1787_ = ((_e1011 >> bitcast<u32>(21i)) | (_e1017 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1787_ = (_e1476 >> bitcast<u32>(10i));
+                                                            phi_1787_ = (_e1017 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1517 = phi_1787_;
-                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1361, _e1345, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1378, _e1345, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1395, _e1345, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1424, _e1409, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1440, _e1409, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1456, _e1409, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1485, _e1470, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1501, _e1470, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1517, _e1470, _e443) & 2097151u))) - 8388608f) * _e147))));
+                                                        let _e1058 = phi_1787_;
+                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e902, _e886, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e919, _e886, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e936, _e886, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e965, _e950, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e981, _e950, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e997, _e950, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1026, _e1011, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1042, _e1011, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1058, _e1011, _e443) & 2097151u))) - 8388608f) * _e147))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1254 = (_e1252 + _e267);
-                                                        let _e1255 = (_e1254 < _e99);
-                                                        if _e1255 {
-                                                            if _e1255 {
+                                                        let _e795 = (_e793 + _e267);
+                                                        let _e796 = (_e795 < _e99);
+                                                        if _e796 {
+                                                            if _e796 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1257 = global_6.member[_e1254];
-                                                            phi_1818_ = _e1257;
+                                                            let _e798 = global_6.member[_e795];
+                                                            phi_1818_ = _e798;
                                                         } else {
                                                             phi_1818_ = 0u;
                                                         }
-                                                        let _e1259 = phi_1818_;
-                                                        let _e1263 = (_e1252 + _e266);
-                                                        let _e1264 = (_e1263 < _e99);
-                                                        if _e1264 {
-                                                            if _e1264 {
+                                                        let _e800 = phi_1818_;
+                                                        let _e804 = (_e793 + _e266);
+                                                        let _e805 = (_e804 < _e99);
+                                                        if _e805 {
+                                                            if _e805 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1266 = global_6.member[_e1263];
-                                                            phi_1836_ = _e1266;
+                                                            let _e807 = global_6.member[_e804];
+                                                            phi_1836_ = _e807;
                                                         } else {
                                                             phi_1836_ = 0u;
                                                         }
-                                                        let _e1268 = phi_1836_;
-                                                        let _e1272 = (_e1252 + _e268);
-                                                        let _e1273 = (_e1272 < _e99);
-                                                        if _e1273 {
-                                                            if _e1273 {
+                                                        let _e809 = phi_1836_;
+                                                        let _e813 = (_e793 + _e268);
+                                                        let _e814 = (_e813 < _e99);
+                                                        if _e814 {
+                                                            if _e814 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1275 = global_6.member[_e1272];
-                                                            phi_1854_ = _e1275;
+                                                            let _e816 = global_6.member[_e813];
+                                                            phi_1854_ = _e816;
                                                         } else {
                                                             phi_1854_ = 0u;
                                                         }
-                                                        let _e1277 = phi_1854_;
-                                                        let _e1282 = (_e1252 + 3u);
-                                                        let _e1283 = (_e1282 + _e267);
-                                                        let _e1284 = (_e1283 < _e99);
-                                                        if _e1284 {
-                                                            if _e1284 {
+                                                        let _e818 = phi_1854_;
+                                                        let _e823 = (_e793 + 3u);
+                                                        let _e824 = (_e823 + _e267);
+                                                        let _e825 = (_e824 < _e99);
+                                                        if _e825 {
+                                                            if _e825 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1286 = global_6.member[_e1283];
-                                                            phi_1877_ = _e1286;
+                                                            let _e827 = global_6.member[_e824];
+                                                            phi_1877_ = _e827;
                                                         } else {
                                                             phi_1877_ = 0u;
                                                         }
-                                                        let _e1288 = phi_1877_;
-                                                        let _e1292 = (_e1282 + _e266);
-                                                        let _e1293 = (_e1292 < _e99);
-                                                        if _e1293 {
-                                                            if _e1293 {
+                                                        let _e829 = phi_1877_;
+                                                        let _e833 = (_e823 + _e266);
+                                                        let _e834 = (_e833 < _e99);
+                                                        if _e834 {
+                                                            if _e834 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1295 = global_6.member[_e1292];
-                                                            phi_1895_ = _e1295;
+                                                            let _e836 = global_6.member[_e833];
+                                                            phi_1895_ = _e836;
                                                         } else {
                                                             phi_1895_ = 0u;
                                                         }
-                                                        let _e1297 = phi_1895_;
-                                                        let _e1301 = (_e1282 + _e268);
-                                                        let _e1302 = (_e1301 < _e99);
-                                                        if _e1302 {
-                                                            if _e1302 {
+                                                        let _e838 = phi_1895_;
+                                                        let _e842 = (_e823 + _e268);
+                                                        let _e843 = (_e842 < _e99);
+                                                        if _e843 {
+                                                            if _e843 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1304 = global_6.member[_e1301];
-                                                            phi_1913_ = _e1304;
+                                                            let _e845 = global_6.member[_e842];
+                                                            phi_1913_ = _e845;
                                                         } else {
                                                             phi_1913_ = 0u;
                                                         }
-                                                        let _e1306 = phi_1913_;
-                                                        let _e1311 = (_e1252 + 6u);
-                                                        let _e1312 = (_e1311 + _e267);
-                                                        let _e1313 = (_e1312 < _e99);
-                                                        if _e1313 {
-                                                            if _e1313 {
+                                                        let _e847 = phi_1913_;
+                                                        let _e852 = (_e793 + 6u);
+                                                        let _e853 = (_e852 + _e267);
+                                                        let _e854 = (_e853 < _e99);
+                                                        if _e854 {
+                                                            if _e854 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1315 = global_6.member[_e1312];
-                                                            phi_1936_ = _e1315;
+                                                            let _e856 = global_6.member[_e853];
+                                                            phi_1936_ = _e856;
                                                         } else {
                                                             phi_1936_ = 0u;
                                                         }
-                                                        let _e1317 = phi_1936_;
-                                                        let _e1321 = (_e1311 + _e266);
-                                                        let _e1322 = (_e1321 < _e99);
-                                                        if _e1322 {
-                                                            if _e1322 {
+                                                        let _e858 = phi_1936_;
+                                                        let _e862 = (_e852 + _e266);
+                                                        let _e863 = (_e862 < _e99);
+                                                        if _e863 {
+                                                            if _e863 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1324 = global_6.member[_e1321];
-                                                            phi_1954_ = _e1324;
+                                                            let _e865 = global_6.member[_e862];
+                                                            phi_1954_ = _e865;
                                                         } else {
                                                             phi_1954_ = 0u;
                                                         }
-                                                        let _e1326 = phi_1954_;
-                                                        let _e1330 = (_e1311 + _e268);
-                                                        let _e1331 = (_e1330 < _e99);
-                                                        if _e1331 {
-                                                            if _e1331 {
+                                                        let _e867 = phi_1954_;
+                                                        let _e871 = (_e852 + _e268);
+                                                        let _e872 = (_e871 < _e99);
+                                                        if _e872 {
+                                                            if _e872 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1333 = global_6.member[_e1330];
-                                                            phi_1972_ = _e1333;
+                                                            let _e874 = global_6.member[_e871];
+                                                            phi_1972_ = _e874;
                                                         } else {
                                                             phi_1972_ = 0u;
                                                         }
-                                                        let _e1335 = phi_1972_;
-                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1259)) * _e147), (f32(bitcast<i32>(_e1268)) * _e147), (f32(bitcast<i32>(_e1277)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1288)) * _e147), (f32(bitcast<i32>(_e1297)) * _e147), (f32(bitcast<i32>(_e1306)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1317)) * _e147), (f32(bitcast<i32>(_e1326)) * _e147), (f32(bitcast<i32>(_e1335)) * _e147)));
+                                                        let _e876 = phi_1972_;
+                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e800)) * _e147), (f32(bitcast<i32>(_e809)) * _e147), (f32(bitcast<i32>(_e818)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e829)) * _e147), (f32(bitcast<i32>(_e838)) * _e147), (f32(bitcast<i32>(_e847)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e858)) * _e147), (f32(bitcast<i32>(_e867)) * _e147), (f32(bitcast<i32>(_e876)) * _e147)));
                                                         break;
                                                     }
                                                     default: {
@@ -1143,715 +1144,726 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1627 = phi_1978_;
-                                                let _e1635 = (_e1627[0][2] - _e468);
-                                                let _e1638 = (((_e1627[0][0] - _e331) * _e507) - (_e1635 * _e371));
-                                                let _e1641 = (((_e1627[0][1] - _e400) * _e507) - (_e1635 * _e439));
-                                                let _e1648 = (_e1627[1][2] - _e468);
-                                                let _e1651 = (((_e1627[1][0] - _e331) * _e507) - (_e1648 * _e371));
-                                                let _e1654 = (((_e1627[1][1] - _e400) * _e507) - (_e1648 * _e439));
-                                                let _e1661 = (_e1627[2][2] - _e468);
-                                                let _e1664 = (((_e1627[2][0] - _e331) * _e507) - (_e1661 * _e371));
-                                                let _e1667 = (((_e1627[2][1] - _e400) * _e507) - (_e1661 * _e439));
-                                                let _e1668 = (_e1664 * _e1654);
-                                                let _e1669 = (_e1667 * _e1651);
-                                                let _e1670 = (_e1638 * _e1667);
-                                                let _e1671 = (_e1641 * _e1664);
-                                                let _e1672 = (_e1651 * _e1641);
-                                                let _e1673 = (_e1654 * _e1638);
-                                                let _e1678 = (((_e1668 >= _e1669) && (_e1670 >= _e1671)) && (_e1672 >= _e1673));
-                                                if (_e1678 || (((_e1668 <= _e1669) && (_e1670 <= _e1671)) && (_e1672 <= _e1673))) {
-                                                    let _e1685 = select(-1f, 1f, _e1678);
-                                                    let _e1687 = ((_e1668 - _e1669) * _e1685);
-                                                    let _e1689 = select(0f, _e1687, (_e1687 > 0f));
-                                                    let _e1691 = ((_e1670 - _e1671) * _e1685);
-                                                    let _e1693 = select(0f, _e1691, (_e1691 > 0f));
-                                                    let _e1695 = ((_e1672 - _e1673) * _e1685);
-                                                    let _e1697 = select(0f, _e1695, (_e1695 > 0f));
-                                                    let _e1699 = ((_e1689 + _e1693) + _e1697);
-                                                    if (_e1699 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e1168 = phi_1978_;
+                                                let _e1176 = (_e1168[0][2] - _e468);
+                                                let _e1179 = (((_e1168[0][0] - _e331) * _e507) - (_e1176 * _e371));
+                                                let _e1182 = (((_e1168[0][1] - _e400) * _e507) - (_e1176 * _e439));
+                                                let _e1189 = (_e1168[1][2] - _e468);
+                                                let _e1192 = (((_e1168[1][0] - _e331) * _e507) - (_e1189 * _e371));
+                                                let _e1195 = (((_e1168[1][1] - _e400) * _e507) - (_e1189 * _e439));
+                                                let _e1202 = (_e1168[2][2] - _e468);
+                                                let _e1205 = (((_e1168[2][0] - _e331) * _e507) - (_e1202 * _e371));
+                                                let _e1208 = (((_e1168[2][1] - _e400) * _e507) - (_e1202 * _e439));
+                                                let _e1209 = (_e1205 * _e1195);
+                                                let _e1210 = (_e1208 * _e1192);
+                                                let _e1211 = (_e1179 * _e1208);
+                                                let _e1212 = (_e1182 * _e1205);
+                                                let _e1213 = (_e1192 * _e1182);
+                                                let _e1214 = (_e1195 * _e1179);
+                                                let _e1219 = (((_e1209 >= _e1210) && (_e1211 >= _e1212)) && (_e1213 >= _e1214));
+                                                if (_e1219 || (((_e1209 <= _e1210) && (_e1211 <= _e1212)) && (_e1213 <= _e1214))) {
+                                                    let _e1226 = select(-1f, 1f, _e1219);
+                                                    let _e1228 = ((_e1209 - _e1210) * _e1226);
+                                                    let _e1230 = select(0f, _e1228, (_e1228 > 0f));
+                                                    let _e1232 = ((_e1211 - _e1212) * _e1226);
+                                                    let _e1234 = select(0f, _e1232, (_e1232 > 0f));
+                                                    let _e1236 = ((_e1213 - _e1214) * _e1226);
+                                                    let _e1238 = select(0f, _e1236, (_e1236 > 0f));
+                                                    let _e1240 = ((_e1230 + _e1234) + _e1238);
+                                                    if (_e1240 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2862_ = type_24();
                                                         phi_2863_ = true;
                                                         phi_2864_ = false;
                                                     } else {
-                                                        let _e1702 = select(_e1651, _e1638, (_e1638 < _e1651));
-                                                        if (select(_e1664, _e1702, (_e1702 < _e1664)) > 0f) {
+                                                        let _e1243 = select(_e1192, _e1179, (_e1179 < _e1192));
+                                                        if (select(_e1205, _e1243, (_e1243 < _e1205)) > 0f) {
                                                             phi_2130_ = true;
                                                         } else {
-                                                            let _e1707 = select(_e1651, _e1638, (_e1638 > _e1651));
-                                                            phi_2130_ = (select(_e1664, _e1707, (_e1707 > _e1664)) < 0f);
+                                                            let _e1248 = select(_e1192, _e1179, (_e1179 > _e1192));
+                                                            phi_2130_ = (select(_e1205, _e1248, (_e1248 > _e1205)) < 0f);
                                                         }
-                                                        let _e1712 = phi_2130_;
-                                                        if _e1712 {
+                                                        let _e1253 = phi_2130_;
+                                                        if _e1253 {
                                                             phi_2859_ = type_24();
                                                             phi_2860_ = true;
                                                             phi_2861_ = false;
                                                         } else {
-                                                            let _e1714 = select(_e1654, _e1641, (_e1641 < _e1654));
-                                                            if (select(_e1667, _e1714, (_e1714 < _e1667)) > 0f) {
+                                                            let _e1255 = select(_e1195, _e1182, (_e1182 < _e1195));
+                                                            if (select(_e1208, _e1255, (_e1255 < _e1208)) > 0f) {
                                                                 phi_2159_ = true;
                                                             } else {
-                                                                let _e1719 = select(_e1654, _e1641, (_e1641 > _e1654));
-                                                                phi_2159_ = (select(_e1667, _e1719, (_e1719 > _e1667)) < 0f);
+                                                                let _e1260 = select(_e1195, _e1182, (_e1182 > _e1195));
+                                                                phi_2159_ = (select(_e1208, _e1260, (_e1260 > _e1208)) < 0f);
                                                             }
-                                                            let _e1724 = phi_2159_;
-                                                            if _e1724 {
+                                                            let _e1265 = phi_2159_;
+                                                            if _e1265 {
                                                                 phi_2857_ = type_24();
                                                                 phi_2858_ = false;
                                                             } else {
-                                                                let _e1726 = select(_e1627[1][0], _e1627[0][0], (_e1627[0][0] < _e1627[1][0]));
-                                                                let _e1730 = select(_e1627[1][0], _e1627[0][0], (_e1627[0][0] > _e1627[1][0]));
-                                                                let _e1734 = select(_e1627[1][1], _e1627[0][1], (_e1627[0][1] < _e1627[1][1]));
-                                                                let _e1738 = select(_e1627[1][1], _e1627[0][1], (_e1627[0][1] > _e1627[1][1]));
-                                                                let _e1742 = select(_e1627[1][2], _e1627[0][2], (_e1627[0][2] < _e1627[1][2]));
-                                                                let _e1746 = select(_e1627[1][2], _e1627[0][2], (_e1627[0][2] > _e1627[1][2]));
-                                                                let _e1751 = ((select(_e1627[2][0], _e1726, (_e1726 < _e1627[2][0])) - _e369) * _e374);
-                                                                let _e1752 = ((select(_e1627[2][0], _e1730, (_e1730 > _e1627[2][0])) - _e370) * _e374);
-                                                                let _e1755 = ((select(_e1627[2][1], _e1734, (_e1734 < _e1627[2][1])) - _e437) * _e442);
-                                                                let _e1756 = ((select(_e1627[2][1], _e1738, (_e1738 > _e1627[2][1])) - _e438) * _e442);
-                                                                let _e1759 = ((select(_e1627[2][2], _e1742, (_e1742 < _e1627[2][2])) - _e505) * _e510);
-                                                                let _e1760 = ((select(_e1627[2][2], _e1746, (_e1746 > _e1627[2][2])) - _e506) * _e510);
-                                                                let _e1762 = select(_e1760, _e1759, (_e1759 < _e1760));
-                                                                let _e1764 = select(_e1760, _e1759, (_e1759 > _e1760));
-                                                                let _e1766 = select(_e1752, _e1751, (_e1751 < _e1752));
-                                                                let _e1768 = select(_e1756, _e1755, (_e1755 < _e1756));
-                                                                let _e1770 = select(_e1768, _e1766, (_e1766 > _e1768));
-                                                                let _e1772 = select(_e1762, _e1770, (_e1770 > _e1762));
-                                                                let _e1774 = select(_e1752, _e1751, (_e1751 > _e1752));
-                                                                let _e1776 = select(_e1756, _e1755, (_e1755 > _e1756));
-                                                                let _e1778 = select(_e1776, _e1774, (_e1774 < _e1776));
-                                                                let _e1780 = select(_e1764, _e1778, (_e1778 < _e1764));
-                                                                let _e1781 = -(_e1762);
-                                                                let _e1787 = select(_e622, _e1772, (_e1772 > _e622));
-                                                                if (_e1787 > (_e1780 + (select(_e1781, _e1764, (_e1764 > _e1781)) * 0.0000019073523f))) {
+                                                                let _e1267 = select(_e1168[1][0], _e1168[0][0], (_e1168[0][0] < _e1168[1][0]));
+                                                                let _e1271 = select(_e1168[1][0], _e1168[0][0], (_e1168[0][0] > _e1168[1][0]));
+                                                                let _e1275 = select(_e1168[1][1], _e1168[0][1], (_e1168[0][1] < _e1168[1][1]));
+                                                                let _e1279 = select(_e1168[1][1], _e1168[0][1], (_e1168[0][1] > _e1168[1][1]));
+                                                                let _e1283 = select(_e1168[1][2], _e1168[0][2], (_e1168[0][2] < _e1168[1][2]));
+                                                                let _e1287 = select(_e1168[1][2], _e1168[0][2], (_e1168[0][2] > _e1168[1][2]));
+                                                                let _e1292 = ((select(_e1168[2][0], _e1267, (_e1267 < _e1168[2][0])) - _e369) * _e374);
+                                                                let _e1293 = ((select(_e1168[2][0], _e1271, (_e1271 > _e1168[2][0])) - _e370) * _e374);
+                                                                let _e1296 = ((select(_e1168[2][1], _e1275, (_e1275 < _e1168[2][1])) - _e437) * _e442);
+                                                                let _e1297 = ((select(_e1168[2][1], _e1279, (_e1279 > _e1168[2][1])) - _e438) * _e442);
+                                                                let _e1300 = ((select(_e1168[2][2], _e1283, (_e1283 < _e1168[2][2])) - _e505) * _e510);
+                                                                let _e1301 = ((select(_e1168[2][2], _e1287, (_e1287 > _e1168[2][2])) - _e506) * _e510);
+                                                                let _e1303 = select(_e1301, _e1300, (_e1300 < _e1301));
+                                                                let _e1305 = select(_e1301, _e1300, (_e1300 > _e1301));
+                                                                let _e1307 = select(_e1293, _e1292, (_e1292 < _e1293));
+                                                                let _e1309 = select(_e1297, _e1296, (_e1296 < _e1297));
+                                                                let _e1311 = select(_e1309, _e1307, (_e1307 > _e1309));
+                                                                let _e1313 = select(_e1303, _e1311, (_e1311 > _e1303));
+                                                                let _e1315 = select(_e1293, _e1292, (_e1292 > _e1293));
+                                                                let _e1317 = select(_e1297, _e1296, (_e1296 > _e1297));
+                                                                let _e1319 = select(_e1317, _e1315, (_e1315 < _e1317));
+                                                                let _e1321 = select(_e1305, _e1319, (_e1319 < _e1305));
+                                                                let _e1322 = -(_e1303);
+                                                                let _e1328 = select(_e622, _e1313, (_e1313 > _e622));
+                                                                if (_e1328 > (_e1321 + (select(_e1322, _e1305, (_e1305 > _e1322)) * 0.0000019073523f))) {
                                                                     phi_2852_ = type_24();
                                                                     phi_2853_ = true;
                                                                 } else {
-                                                                    let _e1789 = (_e1787 > _e1180.member);
-                                                                    if _e1789 {
+                                                                    let _e1330 = (_e1328 > _e721.member);
+                                                                    if _e1330 {
                                                                         phi_2851_ = type_24();
                                                                     } else {
-                                                                        let _e1790 = vec3<f32>(_e1627[0][0], _e1627[0][1], _e1627[0][2]);
-                                                                        let _e1791 = vec3<f32>(_e1627[1][0], _e1627[1][1], _e1627[1][2]);
-                                                                        let _e1792 = vec3<f32>(_e1627[2][0], _e1627[2][1], _e1627[2][2]);
-                                                                        let _e1793 = (_e1627[1][0] - _e1627[0][0]);
-                                                                        let _e1794 = (_e1627[1][1] - _e1627[0][1]);
-                                                                        let _e1795 = (_e1627[1][2] - _e1627[0][2]);
-                                                                        let _e1796 = vec3<f32>(_e1793, _e1794, _e1795);
-                                                                        let _e1797 = (_e1627[2][0] - _e1627[1][0]);
-                                                                        let _e1798 = (_e1627[2][1] - _e1627[1][1]);
-                                                                        let _e1799 = (_e1627[2][2] - _e1627[1][2]);
-                                                                        let _e1800 = vec3<f32>(_e1797, _e1798, _e1799);
-                                                                        let _e1801 = (_e1627[0][0] - _e1627[2][0]);
-                                                                        let _e1802 = (_e1627[0][1] - _e1627[2][1]);
-                                                                        let _e1803 = (_e1627[0][2] - _e1627[2][2]);
-                                                                        let _e1804 = vec3<f32>(_e1801, _e1802, _e1803);
-                                                                        let _e1807 = bitcast<f32>((bitcast<u32>(_e1793) & 2147483647u));
-                                                                        let _e1810 = bitcast<f32>((bitcast<u32>(_e1794) & 2147483647u));
-                                                                        let _e1812 = select(_e1810, _e1807, (_e1807 > _e1810));
-                                                                        let _e1815 = bitcast<f32>((bitcast<u32>(_e1795) & 2147483647u));
-                                                                        let _e1817 = select(_e1815, _e1812, (_e1812 > _e1815));
-                                                                        let _e1820 = bitcast<f32>((bitcast<u32>(_e1797) & 2147483647u));
-                                                                        let _e1823 = bitcast<f32>((bitcast<u32>(_e1798) & 2147483647u));
-                                                                        let _e1825 = select(_e1823, _e1820, (_e1820 > _e1823));
-                                                                        let _e1828 = bitcast<f32>((bitcast<u32>(_e1799) & 2147483647u));
-                                                                        let _e1830 = select(_e1828, _e1825, (_e1825 > _e1828));
-                                                                        let _e1833 = bitcast<f32>((bitcast<u32>(_e1801) & 2147483647u));
-                                                                        let _e1836 = bitcast<f32>((bitcast<u32>(_e1802) & 2147483647u));
-                                                                        let _e1838 = select(_e1836, _e1833, (_e1833 > _e1836));
-                                                                        let _e1841 = bitcast<f32>((bitcast<u32>(_e1803) & 2147483647u));
-                                                                        let _e1843 = select(_e1841, _e1838, (_e1838 > _e1841));
-                                                                        let _e1845 = select(_e1830, _e1817, (_e1817 > _e1830));
-                                                                        let _e1847 = select(_e1843, _e1845, (_e1845 > _e1843));
-                                                                        if (_e1817 == _e1847) {
-                                                                            phi_2578_ = _e1654;
-                                                                            phi_2579_ = _e1651;
-                                                                            phi_2580_ = _e1641;
-                                                                            phi_2581_ = _e1638;
-                                                                            phi_2582_ = _e1790;
-                                                                            phi_2583_ = _e1804;
-                                                                            phi_2584_ = _e1800;
-                                                                            phi_2585_ = _e1796;
+                                                                        let _e1331 = vec3<f32>(_e1168[0][0], _e1168[0][1], _e1168[0][2]);
+                                                                        let _e1332 = vec3<f32>(_e1168[1][0], _e1168[1][1], _e1168[1][2]);
+                                                                        let _e1333 = vec3<f32>(_e1168[2][0], _e1168[2][1], _e1168[2][2]);
+                                                                        let _e1334 = (_e1168[1][0] - _e1168[0][0]);
+                                                                        let _e1335 = (_e1168[1][1] - _e1168[0][1]);
+                                                                        let _e1336 = (_e1168[1][2] - _e1168[0][2]);
+                                                                        let _e1337 = vec3<f32>(_e1334, _e1335, _e1336);
+                                                                        let _e1338 = (_e1168[2][0] - _e1168[1][0]);
+                                                                        let _e1339 = (_e1168[2][1] - _e1168[1][1]);
+                                                                        let _e1340 = (_e1168[2][2] - _e1168[1][2]);
+                                                                        let _e1341 = vec3<f32>(_e1338, _e1339, _e1340);
+                                                                        let _e1342 = (_e1168[0][0] - _e1168[2][0]);
+                                                                        let _e1343 = (_e1168[0][1] - _e1168[2][1]);
+                                                                        let _e1344 = (_e1168[0][2] - _e1168[2][2]);
+                                                                        let _e1345 = vec3<f32>(_e1342, _e1343, _e1344);
+                                                                        let _e1348 = bitcast<f32>((bitcast<u32>(_e1334) & 2147483647u));
+                                                                        let _e1351 = bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u));
+                                                                        let _e1353 = select(_e1351, _e1348, (_e1348 > _e1351));
+                                                                        let _e1356 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
+                                                                        let _e1358 = select(_e1356, _e1353, (_e1353 > _e1356));
+                                                                        let _e1361 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
+                                                                        let _e1364 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
+                                                                        let _e1366 = select(_e1364, _e1361, (_e1361 > _e1364));
+                                                                        let _e1369 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
+                                                                        let _e1371 = select(_e1369, _e1366, (_e1366 > _e1369));
+                                                                        let _e1374 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
+                                                                        let _e1377 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
+                                                                        let _e1379 = select(_e1377, _e1374, (_e1374 > _e1377));
+                                                                        let _e1382 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
+                                                                        let _e1384 = select(_e1382, _e1379, (_e1379 > _e1382));
+                                                                        let _e1386 = select(_e1371, _e1358, (_e1358 > _e1371));
+                                                                        let _e1388 = select(_e1384, _e1386, (_e1386 > _e1384));
+                                                                        if (_e1358 == _e1388) {
+                                                                            phi_2578_ = _e1195;
+                                                                            phi_2579_ = _e1192;
+                                                                            phi_2580_ = _e1182;
+                                                                            phi_2581_ = _e1179;
+                                                                            phi_2582_ = _e1331;
+                                                                            phi_2583_ = _e1345;
+                                                                            phi_2584_ = _e1341;
+                                                                            phi_2585_ = _e1337;
                                                                         } else {
-                                                                            let _e1849 = (_e1830 == _e1847);
-                                                                            let _e1854 = vec3(_e1849);
-                                                                            phi_2578_ = select(_e1641, _e1667, _e1849);
-                                                                            phi_2579_ = select(_e1638, _e1664, _e1849);
-                                                                            phi_2580_ = select(_e1667, _e1654, _e1849);
-                                                                            phi_2581_ = select(_e1664, _e1651, _e1849);
-                                                                            phi_2582_ = select(_e1792, _e1791, _e1854);
-                                                                            phi_2583_ = select(_e1800, _e1796, _e1854);
-                                                                            phi_2584_ = select(_e1796, _e1804, _e1854);
-                                                                            phi_2585_ = select(_e1804, _e1800, _e1854);
+                                                                            let _e1390 = (_e1371 == _e1388);
+                                                                            let _e1395 = vec3(_e1390);
+                                                                            phi_2578_ = select(_e1182, _e1208, _e1390);
+                                                                            phi_2579_ = select(_e1179, _e1205, _e1390);
+                                                                            phi_2580_ = select(_e1208, _e1195, _e1390);
+                                                                            phi_2581_ = select(_e1205, _e1192, _e1390);
+                                                                            phi_2582_ = select(_e1333, _e1332, _e1395);
+                                                                            phi_2583_ = select(_e1341, _e1337, _e1395);
+                                                                            phi_2584_ = select(_e1337, _e1345, _e1395);
+                                                                            phi_2585_ = select(_e1345, _e1341, _e1395);
                                                                         }
-                                                                        let _e1860 = phi_2578_;
-                                                                        let _e1862 = phi_2579_;
-                                                                        let _e1864 = phi_2580_;
-                                                                        let _e1866 = phi_2581_;
-                                                                        let _e1868 = phi_2582_;
-                                                                        let _e1870 = phi_2583_;
-                                                                        let _e1872 = phi_2584_;
-                                                                        let _e1874 = phi_2585_;
-                                                                        let _e1881 = ((_e1872.y * _e1870.z) - (_e1870.y * _e1872.z));
-                                                                        let _e1886 = ((_e1872.z * _e1870.x) - (_e1870.z * _e1872.x));
-                                                                        let _e1889 = ((_e1872.x * _e1870.y) - (_e1870.x * _e1872.y));
-                                                                        if (_e1689 >= _e1693) {
-                                                                            phi_2622_ = select(true, false, (_e1689 >= _e1697));
+                                                                        let _e1401 = phi_2578_;
+                                                                        let _e1403 = phi_2579_;
+                                                                        let _e1405 = phi_2580_;
+                                                                        let _e1407 = phi_2581_;
+                                                                        let _e1409 = phi_2582_;
+                                                                        let _e1411 = phi_2583_;
+                                                                        let _e1413 = phi_2584_;
+                                                                        let _e1415 = phi_2585_;
+                                                                        let _e1422 = ((_e1413.y * _e1411.z) - (_e1411.y * _e1413.z));
+                                                                        let _e1427 = ((_e1413.z * _e1411.x) - (_e1411.z * _e1413.x));
+                                                                        let _e1430 = ((_e1413.x * _e1411.y) - (_e1411.x * _e1413.y));
+                                                                        if (_e1230 >= _e1234) {
+                                                                            phi_2622_ = select(true, false, (_e1230 >= _e1238));
                                                                         } else {
                                                                             phi_2622_ = true;
                                                                         }
-                                                                        let _e1894 = phi_2622_;
-                                                                        if _e1894 {
-                                                                            phi_2631_ = select(_e1792, _e1791, vec3((_e1693 >= _e1697)));
+                                                                        let _e1435 = phi_2622_;
+                                                                        if _e1435 {
+                                                                            phi_2631_ = select(_e1333, _e1332, vec3((_e1234 >= _e1238)));
                                                                         } else {
-                                                                            phi_2631_ = _e1790;
+                                                                            phi_2631_ = _e1331;
                                                                         }
-                                                                        let _e1899 = phi_2631_;
-                                                                        let _e1910 = (((_e1881 * (_e1899.x - _e331)) + (_e1886 * (_e1899.y - _e400))) + (_e1889 * (_e1899.z - _e468)));
-                                                                        let _e1915 = (((_e1881 * _e371) + (_e1886 * _e439)) + (_e1889 * _e507));
-                                                                        let _e1916 = (_e1862 - _e1866);
-                                                                        let _e1917 = (_e1860 - _e1864);
-                                                                        let _e1925 = (-(((_e1866 * _e1916) + (_e1864 * _e1917))) / ((_e1916 * _e1916) + (_e1917 * _e1917)));
-                                                                        let _e1927 = select(1f, _e1925, (_e1925 < 1f));
-                                                                        let _e1929 = select(0f, _e1927, (_e1927 > 0f));
-                                                                        let _e1942 = ((_e1868.x + (_e1874.x * _e1929)) - _e331);
-                                                                        let _e1943 = ((_e1868.y + (_e1874.y * _e1929)) - _e400);
-                                                                        let _e1944 = ((_e1868.z + (_e1874.z * _e1929)) - _e468);
-                                                                        let _e1945 = (_e1944 / _e507);
-                                                                        let _e1957 = bitcast<f32>((bitcast<u32>(_e1942) & 2147483647u));
-                                                                        let _e1960 = bitcast<f32>((bitcast<u32>(_e1943) & 2147483647u));
-                                                                        let _e1962 = select(_e1960, _e1957, (_e1957 > _e1960));
-                                                                        let _e1965 = bitcast<f32>((bitcast<u32>(_e1944) & 2147483647u));
-                                                                        let _e1967 = select(_e1965, _e1962, (_e1962 > _e1965));
-                                                                        let _e1973 = bitcast<f32>((bitcast<u32>(_e1881) & 2147483647u));
-                                                                        let _e1976 = bitcast<f32>((bitcast<u32>(_e1886) & 2147483647u));
-                                                                        let _e1978 = select(_e1976, _e1973, (_e1973 > _e1976));
-                                                                        let _e1981 = bitcast<f32>((bitcast<u32>(_e1889) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1881 * _e1942) + (_e1886 * _e1943)) + (_e1889 * _e1944)) - _e1910)) & 2147483647u)) <= ((0.0000009536743f * select(_e1847, _e1967, (_e1967 > _e1847))) * select(_e1981, _e1978, (_e1978 > _e1981)))) {
-                                                                            let _e1991 = bitcast<f32>((bitcast<u32>(_e1872.x) & 2147483647u));
-                                                                            let _e1994 = bitcast<f32>((bitcast<u32>(_e1872.y) & 2147483647u));
-                                                                            let _e1996 = select(_e1994, _e1991, (_e1991 > _e1994));
-                                                                            let _e1999 = bitcast<f32>((bitcast<u32>(_e1872.z) & 2147483647u));
-                                                                            let _e2005 = bitcast<f32>((bitcast<u32>(_e1870.x) & 2147483647u));
-                                                                            let _e2008 = bitcast<f32>((bitcast<u32>(_e1870.y) & 2147483647u));
-                                                                            let _e2010 = select(_e2008, _e2005, (_e2005 > _e2008));
-                                                                            let _e2013 = bitcast<f32>((bitcast<u32>(_e1870.z) & 2147483647u));
-                                                                            let _e2017 = (bitcast<f32>((bitcast<u32>(_e1915) & 2147483647u)) > ((0.0000038146973f * select(_e1999, _e1996, (_e1996 > _e1999))) * select(_e2013, _e2010, (_e2010 > _e2013))));
-                                                                            if _e2017 {
-                                                                                phi_2796_ = (_e1910 / _e1915);
+                                                                        let _e1440 = phi_2631_;
+                                                                        let _e1451 = (((_e1422 * (_e1440.x - _e331)) + (_e1427 * (_e1440.y - _e400))) + (_e1430 * (_e1440.z - _e468)));
+                                                                        let _e1456 = (((_e1422 * _e371) + (_e1427 * _e439)) + (_e1430 * _e507));
+                                                                        let _e1457 = (_e1403 - _e1407);
+                                                                        let _e1458 = (_e1401 - _e1405);
+                                                                        let _e1466 = (-(((_e1407 * _e1457) + (_e1405 * _e1458))) / ((_e1457 * _e1457) + (_e1458 * _e1458)));
+                                                                        let _e1468 = select(1f, _e1466, (_e1466 < 1f));
+                                                                        let _e1470 = select(0f, _e1468, (_e1468 > 0f));
+                                                                        let _e1483 = ((_e1409.x + (_e1415.x * _e1470)) - _e331);
+                                                                        let _e1484 = ((_e1409.y + (_e1415.y * _e1470)) - _e400);
+                                                                        let _e1485 = ((_e1409.z + (_e1415.z * _e1470)) - _e468);
+                                                                        let _e1486 = (_e1485 / _e507);
+                                                                        let _e1498 = bitcast<f32>((bitcast<u32>(_e1483) & 2147483647u));
+                                                                        let _e1501 = bitcast<f32>((bitcast<u32>(_e1484) & 2147483647u));
+                                                                        let _e1503 = select(_e1501, _e1498, (_e1498 > _e1501));
+                                                                        let _e1506 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
+                                                                        let _e1508 = select(_e1506, _e1503, (_e1503 > _e1506));
+                                                                        let _e1514 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
+                                                                        let _e1517 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                                        let _e1519 = select(_e1517, _e1514, (_e1514 > _e1517));
+                                                                        let _e1522 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1422 * _e1483) + (_e1427 * _e1484)) + (_e1430 * _e1485)) - _e1451)) & 2147483647u)) <= ((0.0000009536743f * select(_e1388, _e1508, (_e1508 > _e1388))) * select(_e1522, _e1519, (_e1519 > _e1522)))) {
+                                                                            let _e1532 = bitcast<f32>((bitcast<u32>(_e1413.x) & 2147483647u));
+                                                                            let _e1535 = bitcast<f32>((bitcast<u32>(_e1413.y) & 2147483647u));
+                                                                            let _e1537 = select(_e1535, _e1532, (_e1532 > _e1535));
+                                                                            let _e1540 = bitcast<f32>((bitcast<u32>(_e1413.z) & 2147483647u));
+                                                                            let _e1546 = bitcast<f32>((bitcast<u32>(_e1411.x) & 2147483647u));
+                                                                            let _e1549 = bitcast<f32>((bitcast<u32>(_e1411.y) & 2147483647u));
+                                                                            let _e1551 = select(_e1549, _e1546, (_e1546 > _e1549));
+                                                                            let _e1554 = bitcast<f32>((bitcast<u32>(_e1411.z) & 2147483647u));
+                                                                            let _e1558 = (bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u)) > ((0.0000038146973f * select(_e1540, _e1537, (_e1537 > _e1540))) * select(_e1554, _e1551, (_e1551 > _e1554))));
+                                                                            if _e1558 {
+                                                                                phi_2796_ = (_e1451 / _e1456);
                                                                             } else {
                                                                                 phi_2796_ = f32();
                                                                             }
-                                                                            let _e2020 = phi_2796_;
-                                                                            phi_2798_ = _e2020;
-                                                                            phi_2799_ = select(true, false, _e2017);
+                                                                            let _e1561 = phi_2796_;
+                                                                            phi_2798_ = _e1561;
+                                                                            phi_2799_ = select(true, false, _e1558);
                                                                         } else {
                                                                             phi_2798_ = f32();
                                                                             phi_2799_ = true;
                                                                         }
-                                                                        let _e2023 = phi_2798_;
-                                                                        let _e2025 = phi_2799_;
-                                                                        if _e2025 {
-                                                                            let _e2033 = (((_e1881 * (_e1942 - (_e371 * _e1945))) + (_e1886 * (_e1943 - (_e439 * _e1945)))) / _e1915);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e2033) & 2147483647u)) <= _e1847) {
-                                                                                phi_2819_ = (_e1945 + _e2033);
+                                                                        let _e1564 = phi_2798_;
+                                                                        let _e1566 = phi_2799_;
+                                                                        if _e1566 {
+                                                                            let _e1574 = (((_e1422 * (_e1483 - (_e371 * _e1486))) + (_e1427 * (_e1484 - (_e439 * _e1486)))) / _e1456);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u)) <= _e1388) {
+                                                                                phi_2819_ = (_e1486 + _e1574);
                                                                             } else {
-                                                                                phi_2819_ = _e1945;
+                                                                                phi_2819_ = _e1486;
                                                                             }
-                                                                            let _e2040 = phi_2819_;
-                                                                            phi_2820_ = _e2040;
+                                                                            let _e1581 = phi_2819_;
+                                                                            phi_2820_ = _e1581;
                                                                         } else {
-                                                                            phi_2820_ = _e2023;
+                                                                            phi_2820_ = _e1564;
                                                                         }
-                                                                        let _e2042 = phi_2820_;
-                                                                        let _e2044 = select(_e1780, _e2042, (_e2042 < _e1780));
-                                                                        let _e2046 = select(_e1772, _e2044, (_e2044 > _e1772));
-                                                                        if (_e2046 >= _e622) {
-                                                                            let _e2048 = (_e2046 <= _e1180.member);
-                                                                            if _e2048 {
-                                                                                let _e2049 = (1f / _e1699);
-                                                                                phi_2843_ = type_24(_e2046, (_e1693 * _e2049), (_e1697 * _e2049), _e1240);
+                                                                        let _e1583 = phi_2820_;
+                                                                        let _e1585 = select(_e1321, _e1583, (_e1583 < _e1321));
+                                                                        let _e1587 = select(_e1313, _e1585, (_e1585 > _e1313));
+                                                                        if (_e1587 >= _e622) {
+                                                                            let _e1589 = (_e1587 <= _e721.member);
+                                                                            if _e1589 {
+                                                                                let _e1590 = (1f / _e1240);
+                                                                                phi_2843_ = type_24(_e1587, (_e1234 * _e1590), (_e1238 * _e1590), _e781);
                                                                             } else {
                                                                                 phi_2843_ = type_24();
                                                                             }
-                                                                            let _e2054 = phi_2843_;
-                                                                            phi_2845_ = _e2054;
-                                                                            phi_2846_ = select(true, false, _e2048);
+                                                                            let _e1595 = phi_2843_;
+                                                                            phi_2845_ = _e1595;
+                                                                            phi_2846_ = select(true, false, _e1589);
                                                                         } else {
                                                                             phi_2845_ = type_24();
                                                                             phi_2846_ = true;
                                                                         }
-                                                                        let _e2057 = phi_2845_;
-                                                                        let _e2059 = phi_2846_;
-                                                                        if _e2059 {
+                                                                        let _e1598 = phi_2845_;
+                                                                        let _e1600 = phi_2846_;
+                                                                        if _e1600 {
                                                                             phi_2850_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2850_ = _e2057;
+                                                                            phi_2850_ = _e1598;
                                                                         }
-                                                                        let _e2061 = phi_2850_;
-                                                                        phi_2851_ = _e2061;
+                                                                        let _e1602 = phi_2850_;
+                                                                        phi_2851_ = _e1602;
                                                                     }
-                                                                    let _e2063 = phi_2851_;
-                                                                    phi_2852_ = _e2063;
-                                                                    phi_2853_ = _e1789;
+                                                                    let _e1604 = phi_2851_;
+                                                                    phi_2852_ = _e1604;
+                                                                    phi_2853_ = _e1330;
                                                                 }
-                                                                let _e2065 = phi_2852_;
-                                                                let _e2067 = phi_2853_;
-                                                                phi_2857_ = _e2065;
-                                                                phi_2858_ = _e2067;
+                                                                let _e1606 = phi_2852_;
+                                                                let _e1608 = phi_2853_;
+                                                                phi_2857_ = _e1606;
+                                                                phi_2858_ = _e1608;
                                                             }
-                                                            let _e2069 = phi_2857_;
-                                                            let _e2071 = phi_2858_;
-                                                            phi_2859_ = _e2069;
-                                                            phi_2860_ = _e1724;
-                                                            phi_2861_ = _e2071;
+                                                            let _e1610 = phi_2857_;
+                                                            let _e1612 = phi_2858_;
+                                                            phi_2859_ = _e1610;
+                                                            phi_2860_ = _e1265;
+                                                            phi_2861_ = _e1612;
                                                         }
-                                                        let _e2073 = phi_2859_;
-                                                        let _e2075 = phi_2860_;
-                                                        let _e2077 = phi_2861_;
-                                                        phi_2862_ = _e2073;
-                                                        phi_2863_ = _e2075;
-                                                        phi_2864_ = _e2077;
+                                                        let _e1614 = phi_2859_;
+                                                        let _e1616 = phi_2860_;
+                                                        let _e1618 = phi_2861_;
+                                                        phi_2862_ = _e1614;
+                                                        phi_2863_ = _e1616;
+                                                        phi_2864_ = _e1618;
                                                     }
-                                                    let _e2079 = phi_2862_;
-                                                    let _e2081 = phi_2863_;
-                                                    let _e2083 = phi_2864_;
-                                                    phi_2872_ = _e2079;
-                                                    phi_2873_ = select(_e2083, true, _e2081);
+                                                    let _e1620 = phi_2862_;
+                                                    let _e1622 = phi_2863_;
+                                                    let _e1624 = phi_2864_;
+                                                    phi_2872_ = _e1620;
+                                                    phi_2873_ = select(_e1624, true, _e1622);
                                                 } else {
                                                     phi_2872_ = type_24();
                                                     phi_2873_ = true;
                                                 }
-                                                let _e2086 = phi_2872_;
-                                                let _e2088 = phi_2873_;
-                                                if _e2088 {
+                                                let _e1627 = phi_2872_;
+                                                let _e1629 = phi_2873_;
+                                                if _e1629 {
                                                     phi_2877_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2877_ = _e2086;
+                                                    phi_2877_ = _e1627;
                                                 }
-                                                let _e2090 = phi_2877_;
-                                                if (_e2090.member_3 != 4294967295u) {
-                                                    if (_e1240 != 4294967295u) {
-                                                        phi_2888_ = type_38(_e1180.member, true);
+                                                let _e1631 = phi_2877_;
+                                                if (_e1631.member_3 != 4294967295u) {
+                                                    if (_e781 != 4294967295u) {
+                                                        phi_2888_ = type_38(_e721.member, true);
                                                     } else {
-                                                        phi_2888_ = _e1180;
+                                                        phi_2888_ = _e721;
                                                     }
-                                                    let _e2098 = phi_2888_;
-                                                    phi_2889_ = _e2098;
+                                                    let _e1639 = phi_2888_;
+                                                    phi_2889_ = _e1639;
                                                 } else {
-                                                    phi_2889_ = _e1180;
+                                                    phi_2889_ = _e721;
                                                 }
-                                                let _e2100 = phi_2889_;
-                                                phi_1215_ = _e2100;
+                                                let _e1641 = phi_2889_;
+                                                phi_1215_ = _e1641;
                                             } else {
                                                 phi_1215_ = type_38();
                                             }
-                                            let _e2102 = phi_1215_;
+                                            let _e1643 = phi_1215_;
                                             continue;
                                             continuing {
-                                                phi_1214_ = _e2102;
-                                                phi_1217_ = _e1195;
-                                                phi_4388_ = _e664;
-                                                break if !(_e1201);
+                                                phi_1214_ = _e1643;
+                                                phi_1217_ = _e736;
+                                                phi_4391_ = _e664;
+                                                break if !(_e742);
                                             }
                                         }
-                                        let _e2105 = phi_4388_;
-                                        phi_4592_ = _e2105;
-                                        if _e2105 {
+                                        let _e1646 = phi_4391_;
+                                        phi_4595_ = _e1646;
+                                        if _e1646 {
                                             break;
                                         }
-                                        let _e2107 = local_10;
-                                        phi_4596_ = _e2105;
-                                        let _e2313 = local_12;
-                                        phi_4162_ = _e2313;
-                                        phi_4163_ = false;
-                                        phi_4164_ = select(_e707, 0u, _e2107.member_1);
-                                        phi_4165_ = _e709;
+                                        phi_4686_ = _e1646;
+                                        let _e2294 = local_11;
+                                        phi_2890_ = _e2294;
+                                    } else {
+                                        phi_4686_ = _e664;
+                                        phi_2890_ = _e666;
+                                    }
+                                    let _e1648 = phi_4686_;
+                                    let _e1650 = phi_2890_;
+                                    if _e713 {
+                                        phi_4155_ = bool();
+                                        phi_4156_ = u32();
+                                        phi_4157_ = type_45();
                                     } else {
                                         if (_e709.member_1 >= _e96) {
-                                            phi_3697_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_45(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_45(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3691_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_45(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_45(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e709.member_1 < _e96) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e722 = ((1u + _e267) % 4u);
-                                            if (_e722 < 4u) {
+                                            let _e1654 = ((1u + _e267) % 4u);
+                                            if (_e1654 < 4u) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e727 = global_3.member[_e709.member_1][_e722];
-                                            let _e729 = (_e727 >> bitcast<u32>(11u));
-                                            let _e731 = ((1u + _e266) % 4u);
-                                            if (_e731 < 4u) {
+                                            let _e1659 = global_3.member[_e709.member_1][_e1654];
+                                            let _e1661 = (_e1659 >> bitcast<u32>(11u));
+                                            let _e1663 = ((1u + _e266) % 4u);
+                                            if (_e1663 < 4u) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e736 = global_3.member[_e709.member_1][_e731];
-                                            let _e738 = (_e736 >> bitcast<u32>(11u));
-                                            let _e740 = ((1u + _e268) % 4u);
-                                            if (_e740 < 4u) {
+                                            let _e1668 = global_3.member[_e709.member_1][_e1663];
+                                            let _e1670 = (_e1668 >> bitcast<u32>(11u));
+                                            let _e1672 = ((1u + _e268) % 4u);
+                                            if (_e1672 < 4u) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e745 = global_3.member[_e709.member_1][_e740];
-                                            let _e747 = (_e745 >> bitcast<u32>(11u));
-                                            let _e770 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.x - _e709.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e771 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.y - _e709.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e772 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.z - _e709.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e774 = select(_e147, _e770, (_e770 > _e147));
-                                            let _e776 = select(_e147, _e771, (_e771 > _e147));
-                                            let _e778 = select(_e147, _e772, (_e772 > _e147));
-                                            let _e809 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e727 & 1023u))) - 8388608f) * _e774));
-                                            let _e814 = (bitcast<i32>((_e727 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e817 = bitcast<f32>((_e809 & bitcast<u32>(_e814)));
-                                            let _e818 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e736 & 1023u))) - 8388608f) * _e776));
-                                            let _e823 = (bitcast<i32>((_e736 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e826 = bitcast<f32>((_e818 & bitcast<u32>(_e823)));
-                                            let _e827 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 1023u))) - 8388608f) * _e778));
-                                            let _e832 = (bitcast<i32>((_e745 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e835 = bitcast<f32>((_e827 & bitcast<u32>(_e832)));
-                                            let _e839 = bitcast<f32>((_e809 & bitcast<u32>(~(_e814))));
-                                            let _e843 = bitcast<f32>((_e818 & bitcast<u32>(~(_e823))));
-                                            let _e847 = bitcast<f32>((_e827 & bitcast<u32>(~(_e832))));
-                                            let _e848 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e729 & 1023u))) - 8388608f) * _e774));
-                                            let _e853 = (bitcast<i32>((_e729 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e856 = bitcast<f32>((_e848 & bitcast<u32>(_e853)));
-                                            let _e857 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e738 & 1023u))) - 8388608f) * _e776));
-                                            let _e862 = (bitcast<i32>((_e738 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e865 = bitcast<f32>((_e857 & bitcast<u32>(_e862)));
-                                            let _e866 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e747 & 1023u))) - 8388608f) * _e778));
-                                            let _e871 = (bitcast<i32>((_e747 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e874 = bitcast<f32>((_e866 & bitcast<u32>(_e871)));
-                                            let _e878 = bitcast<f32>((_e848 & bitcast<u32>(~(_e853))));
-                                            let _e882 = bitcast<f32>((_e857 & bitcast<u32>(~(_e862))));
-                                            let _e886 = bitcast<f32>((_e866 & bitcast<u32>(~(_e871))));
-                                            let _e887 = (_e709.member.member.x + _e817);
-                                            let _e888 = (_e709.member.member.y + _e826);
-                                            let _e889 = (_e709.member.member.z + _e835);
-                                            let _e892 = (_e709.member.member_1.x - _e856);
-                                            let _e893 = (_e709.member.member_1.y - _e865);
-                                            let _e894 = (_e709.member.member_1.z - _e874);
-                                            let _e913 = (_e892 - _e887);
-                                            let _e914 = (_e893 - _e888);
-                                            let _e915 = (_e894 - _e889);
-                                            let _e917 = select(_e914, _e913, (_e913 > _e914));
-                                            let _e919 = select(_e915, _e917, (_e917 > _e915));
-                                            if (_e919 < (1024f * _e147)) {
-                                                phi_3398_ = 0u;
+                                            let _e1677 = global_3.member[_e709.member_1][_e1672];
+                                            let _e1679 = (_e1677 >> bitcast<u32>(11u));
+                                            let _e1702 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.x - _e709.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1703 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.y - _e709.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1704 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.z - _e709.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1706 = select(_e147, _e1702, (_e1702 > _e147));
+                                            let _e1708 = select(_e147, _e1703, (_e1703 > _e147));
+                                            let _e1710 = select(_e147, _e1704, (_e1704 > _e147));
+                                            let _e1741 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1659 & 1023u))) - 8388608f) * _e1706));
+                                            let _e1746 = (bitcast<i32>((_e1659 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1749 = bitcast<f32>((_e1741 & bitcast<u32>(_e1746)));
+                                            let _e1750 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1668 & 1023u))) - 8388608f) * _e1708));
+                                            let _e1755 = (bitcast<i32>((_e1668 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1758 = bitcast<f32>((_e1750 & bitcast<u32>(_e1755)));
+                                            let _e1759 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1677 & 1023u))) - 8388608f) * _e1710));
+                                            let _e1764 = (bitcast<i32>((_e1677 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1767 = bitcast<f32>((_e1759 & bitcast<u32>(_e1764)));
+                                            let _e1771 = bitcast<f32>((_e1741 & bitcast<u32>(~(_e1746))));
+                                            let _e1775 = bitcast<f32>((_e1750 & bitcast<u32>(~(_e1755))));
+                                            let _e1779 = bitcast<f32>((_e1759 & bitcast<u32>(~(_e1764))));
+                                            let _e1780 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1661 & 1023u))) - 8388608f) * _e1706));
+                                            let _e1785 = (bitcast<i32>((_e1661 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1788 = bitcast<f32>((_e1780 & bitcast<u32>(_e1785)));
+                                            let _e1789 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1670 & 1023u))) - 8388608f) * _e1708));
+                                            let _e1794 = (bitcast<i32>((_e1670 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1797 = bitcast<f32>((_e1789 & bitcast<u32>(_e1794)));
+                                            let _e1798 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1679 & 1023u))) - 8388608f) * _e1710));
+                                            let _e1803 = (bitcast<i32>((_e1679 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1806 = bitcast<f32>((_e1798 & bitcast<u32>(_e1803)));
+                                            let _e1810 = bitcast<f32>((_e1780 & bitcast<u32>(~(_e1785))));
+                                            let _e1814 = bitcast<f32>((_e1789 & bitcast<u32>(~(_e1794))));
+                                            let _e1818 = bitcast<f32>((_e1798 & bitcast<u32>(~(_e1803))));
+                                            let _e1819 = (_e709.member.member.x + _e1749);
+                                            let _e1820 = (_e709.member.member.y + _e1758);
+                                            let _e1821 = (_e709.member.member.z + _e1767);
+                                            let _e1824 = (_e709.member.member_1.x - _e1788);
+                                            let _e1825 = (_e709.member.member_1.y - _e1797);
+                                            let _e1826 = (_e709.member.member_1.z - _e1806);
+                                            let _e1845 = (_e1824 - _e1819);
+                                            let _e1846 = (_e1825 - _e1820);
+                                            let _e1847 = (_e1826 - _e1821);
+                                            let _e1849 = select(_e1846, _e1845, (_e1845 > _e1846));
+                                            let _e1851 = select(_e1847, _e1849, (_e1849 > _e1847));
+                                            if (_e1851 < (1024f * _e147)) {
+                                                phi_3392_ = 0u;
                                             } else {
-                                                phi_3398_ = select(2u, 1u, (_e919 < (2097152f * _e147)));
+                                                phi_3392_ = select(2u, 1u, (_e1851 < (2097152f * _e147)));
                                             }
-                                            let _e926 = phi_3398_;
-                                            switch bitcast<i32>(_e926) {
+                                            let _e1858 = phi_3392_;
+                                            switch bitcast<i32>(_e1858) {
                                                 case 0: {
-                                                    phi_3404_ = 1u;
+                                                    phi_3398_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3404_ = 2u;
+                                                    phi_3398_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3404_ = 3u;
+                                                    phi_3398_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3404_ = u32();
+                                                    phi_3398_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e929 = phi_3404_;
-                                            let _e935 = global_3.member[_e709.member_1][0u];
-                                            let _e939 = global_3.member[_e709.member_1][1u];
-                                            let _e943 = global_3.member[_e709.member_1][2u];
-                                            let _e947 = global_3.member[_e709.member_1][3u];
-                                            let _e959 = (((_e939 >> bitcast<u32>(22i)) | ((_e943 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e947 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e960 = (_e935 & 268435455u);
-                                            let _e961 = (_e959 & 268435455u);
-                                            let _e964 = ((_e935 >> bitcast<u32>(28u)) & 7u);
-                                            let _e972 = ((_e935 >> bitcast<u32>(31i)) | (((_e959 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e973 = (_e964 != 0u);
-                                            if (_e964 == 0u) {
-                                                phi_3659_ = _e960;
+                                            let _e1861 = phi_3398_;
+                                            let _e1867 = global_3.member[_e709.member_1][0u];
+                                            let _e1871 = global_3.member[_e709.member_1][1u];
+                                            let _e1875 = global_3.member[_e709.member_1][2u];
+                                            let _e1879 = global_3.member[_e709.member_1][3u];
+                                            let _e1891 = (((_e1871 >> bitcast<u32>(22i)) | ((_e1875 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1879 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1892 = (_e1867 & 268435455u);
+                                            let _e1893 = (_e1891 & 268435455u);
+                                            let _e1896 = ((_e1867 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1904 = ((_e1867 >> bitcast<u32>(31i)) | (((_e1891 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1905 = (_e1896 != 0u);
+                                            if (_e1896 == 0u) {
+                                                phi_3653_ = _e1892;
                                             } else {
-                                                if (_e964 == 7u) {
-                                                    phi_3658_ = 2147483648u;
+                                                if (_e1896 == 7u) {
+                                                    phi_3652_ = 2147483648u;
                                                 } else {
-                                                    phi_3658_ = ((2147483648u | (_e964 << bitcast<u32>(28u))) | (_e961 & 268435455u));
+                                                    phi_3652_ = ((2147483648u | (_e1896 << bitcast<u32>(28u))) | (_e1893 & 268435455u));
                                                 }
-                                                let _e982 = phi_3658_;
-                                                phi_3659_ = _e982;
+                                                let _e1914 = phi_3652_;
+                                                phi_3653_ = _e1914;
                                             }
-                                            let _e984 = phi_3659_;
-                                            if _e973 {
-                                                let _e985 = (_e964 != 7u);
-                                                if _e985 {
-                                                    phi_3669_ = (_e961 + (_e964 * ((3u * _e929) + 1u)));
+                                            let _e1916 = phi_3653_;
+                                            if _e1905 {
+                                                let _e1917 = (_e1896 != 7u);
+                                                if _e1917 {
+                                                    phi_3663_ = (_e1893 + (_e1896 * ((3u * _e1861) + 1u)));
                                                 } else {
-                                                    phi_3669_ = u32();
+                                                    phi_3663_ = u32();
                                                 }
-                                                let _e989 = phi_3669_;
-                                                phi_3671_ = _e989;
-                                                phi_3672_ = select(true, false, _e985);
+                                                let _e1921 = phi_3663_;
+                                                phi_3665_ = _e1921;
+                                                phi_3666_ = select(true, false, _e1917);
                                             } else {
-                                                phi_3671_ = u32();
-                                                phi_3672_ = true;
+                                                phi_3665_ = u32();
+                                                phi_3666_ = true;
                                             }
-                                            let _e992 = phi_3671_;
-                                            let _e994 = phi_3672_;
-                                            if (_e972 == 0u) {
-                                                phi_3693_ = (_e960 + select(0u, 1u, !(_e973)));
+                                            let _e1924 = phi_3665_;
+                                            let _e1926 = phi_3666_;
+                                            if (_e1904 == 0u) {
+                                                phi_3687_ = (_e1892 + select(0u, 1u, !(_e1905)));
                                             } else {
-                                                if (_e972 == 7u) {
-                                                    phi_3692_ = 2147483648u;
+                                                if (_e1904 == 7u) {
+                                                    phi_3686_ = 2147483648u;
                                                 } else {
-                                                    phi_3692_ = ((2147483648u | (_e972 << bitcast<u32>(28u))) | (select(_e992, _e961, _e994) & 268435455u));
+                                                    phi_3686_ = ((2147483648u | (_e1904 << bitcast<u32>(28u))) | (select(_e1924, _e1893, _e1926) & 268435455u));
                                                 }
-                                                let _e1007 = phi_3692_;
-                                                phi_3693_ = _e1007;
+                                                let _e1939 = phi_3686_;
+                                                phi_3687_ = _e1939;
                                             }
-                                            let _e1009 = phi_3693_;
-                                            phi_3697_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e887, (_e709.member.member.x + _e839), _e892, (_e709.member.member_1.x - _e878)), vec4<f32>(_e888, (_e709.member.member.y + _e843), _e893, (_e709.member.member_1.y - _e882)), vec4<f32>(_e889, (_e709.member.member.z + _e847), _e894, (_e709.member.member_1.z - _e886))), type_45(type_28((_e709.member.member + vec4<f32>(_e817, _e826, _e835, 0f)), (_e709.member.member_1 - vec4<f32>(_e856, _e865, _e874, 0f))), _e984), type_45(type_28((_e709.member.member + vec4<f32>(_e839, _e843, _e847, 0f)), (_e709.member.member_1 - vec4<f32>(_e878, _e882, _e886, 0f))), _e1009));
+                                            let _e1941 = phi_3687_;
+                                            phi_3691_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e1819, (_e709.member.member.x + _e1771), _e1824, (_e709.member.member_1.x - _e1810)), vec4<f32>(_e1820, (_e709.member.member.y + _e1775), _e1825, (_e709.member.member_1.y - _e1814)), vec4<f32>(_e1821, (_e709.member.member.z + _e1779), _e1826, (_e709.member.member_1.z - _e1818))), type_45(type_28((_e709.member.member + vec4<f32>(_e1749, _e1758, _e1767, 0f)), (_e709.member.member_1 - vec4<f32>(_e1788, _e1797, _e1806, 0f))), _e1916), type_45(type_28((_e709.member.member + vec4<f32>(_e1771, _e1775, _e1779, 0f)), (_e709.member.member_1 - vec4<f32>(_e1810, _e1814, _e1818, 0f))), _e1941));
                                         }
-                                        let _e1014 = phi_3697_;
-                                        let _e1026 = ((_e1014.member[0].x - _e369) * _e374);
-                                        let _e1027 = ((_e1014.member[0].y - _e369) * _e374);
-                                        let _e1028 = ((_e1014.member[0].z - _e370) * _e374);
-                                        let _e1029 = ((_e1014.member[0].w - _e370) * _e374);
-                                        let _e1039 = ((_e1014.member[1].x - _e437) * _e442);
-                                        let _e1040 = ((_e1014.member[1].y - _e437) * _e442);
-                                        let _e1041 = ((_e1014.member[1].z - _e438) * _e442);
-                                        let _e1042 = ((_e1014.member[1].w - _e438) * _e442);
-                                        let _e1052 = ((_e1014.member[2].x - _e505) * _e510);
-                                        let _e1053 = ((_e1014.member[2].y - _e505) * _e510);
-                                        let _e1054 = ((_e1014.member[2].z - _e506) * _e510);
-                                        let _e1055 = ((_e1014.member[2].w - _e506) * _e510);
-                                        let _e1057 = select(_e1054, _e1052, (_e1052 < _e1054));
-                                        let _e1059 = select(_e1055, _e1053, (_e1053 < _e1055));
-                                        let _e1061 = select(_e1054, _e1052, (_e1052 > _e1054));
-                                        let _e1063 = select(_e1055, _e1053, (_e1053 > _e1055));
-                                        let _e1065 = select(_e1028, _e1026, (_e1026 < _e1028));
-                                        let _e1067 = select(_e1029, _e1027, (_e1027 < _e1029));
-                                        let _e1069 = select(_e1041, _e1039, (_e1039 < _e1041));
-                                        let _e1071 = select(_e1042, _e1040, (_e1040 < _e1042));
-                                        let _e1073 = select(_e1069, _e1065, (_e1065 > _e1069));
-                                        let _e1075 = select(_e1071, _e1067, (_e1067 > _e1071));
-                                        let _e1077 = select(_e1057, _e1073, (_e1073 > _e1057));
-                                        let _e1079 = select(_e1059, _e1075, (_e1075 > _e1059));
-                                        let _e1081 = select(_e1028, _e1026, (_e1026 > _e1028));
-                                        let _e1083 = select(_e1029, _e1027, (_e1027 > _e1029));
-                                        let _e1085 = select(_e1041, _e1039, (_e1039 > _e1041));
-                                        let _e1087 = select(_e1042, _e1040, (_e1040 > _e1042));
-                                        let _e1089 = select(_e1085, _e1081, (_e1081 < _e1085));
-                                        let _e1091 = select(_e1087, _e1083, (_e1083 < _e1087));
-                                        let _e1096 = -(_e1057);
-                                        let _e1097 = -(_e1059);
-                                        let _e1104 = (select(_e1061, _e1089, (_e1089 < _e1061)) + (select(_e1096, _e1061, (_e1061 > _e1096)) * 0.0000019073523f));
-                                        let _e1105 = (select(_e1063, _e1091, (_e1091 < _e1063)) + (select(_e1097, _e1063, (_e1063 > _e1097)) * 0.0000019073523f));
-                                        let _e1107 = select(_e622, _e1077, (_e1077 > _e622));
-                                        let _e1109 = select(_e622, _e1079, (_e1079 > _e622));
-                                        let _e1114 = (_e1107 <= select(_e666.member, _e1104, (_e1104 < _e666.member)));
-                                        let _e1115 = (_e1109 <= select(_e666.member, _e1105, (_e1105 < _e666.member)));
-                                        let _e1116 = (_e1107 <= _e1109);
-                                        if _e1114 {
-                                            if _e1115 {
-                                                if _e1116 {
-                                                    phi_4059_ = _e1014.member_2;
+                                        let _e1946 = phi_3691_;
+                                        let _e1958 = ((_e1946.member[0].x - _e369) * _e374);
+                                        let _e1959 = ((_e1946.member[0].y - _e369) * _e374);
+                                        let _e1960 = ((_e1946.member[0].z - _e370) * _e374);
+                                        let _e1961 = ((_e1946.member[0].w - _e370) * _e374);
+                                        let _e1971 = ((_e1946.member[1].x - _e437) * _e442);
+                                        let _e1972 = ((_e1946.member[1].y - _e437) * _e442);
+                                        let _e1973 = ((_e1946.member[1].z - _e438) * _e442);
+                                        let _e1974 = ((_e1946.member[1].w - _e438) * _e442);
+                                        let _e1984 = ((_e1946.member[2].x - _e505) * _e510);
+                                        let _e1985 = ((_e1946.member[2].y - _e505) * _e510);
+                                        let _e1986 = ((_e1946.member[2].z - _e506) * _e510);
+                                        let _e1987 = ((_e1946.member[2].w - _e506) * _e510);
+                                        let _e1989 = select(_e1986, _e1984, (_e1984 < _e1986));
+                                        let _e1991 = select(_e1987, _e1985, (_e1985 < _e1987));
+                                        let _e1993 = select(_e1986, _e1984, (_e1984 > _e1986));
+                                        let _e1995 = select(_e1987, _e1985, (_e1985 > _e1987));
+                                        let _e1997 = select(_e1960, _e1958, (_e1958 < _e1960));
+                                        let _e1999 = select(_e1961, _e1959, (_e1959 < _e1961));
+                                        let _e2001 = select(_e1973, _e1971, (_e1971 < _e1973));
+                                        let _e2003 = select(_e1974, _e1972, (_e1972 < _e1974));
+                                        let _e2005 = select(_e2001, _e1997, (_e1997 > _e2001));
+                                        let _e2007 = select(_e2003, _e1999, (_e1999 > _e2003));
+                                        let _e2009 = select(_e1989, _e2005, (_e2005 > _e1989));
+                                        let _e2011 = select(_e1991, _e2007, (_e2007 > _e1991));
+                                        let _e2013 = select(_e1960, _e1958, (_e1958 > _e1960));
+                                        let _e2015 = select(_e1961, _e1959, (_e1959 > _e1961));
+                                        let _e2017 = select(_e1973, _e1971, (_e1971 > _e1973));
+                                        let _e2019 = select(_e1974, _e1972, (_e1972 > _e1974));
+                                        let _e2021 = select(_e2017, _e2013, (_e2013 < _e2017));
+                                        let _e2023 = select(_e2019, _e2015, (_e2015 < _e2019));
+                                        let _e2028 = -(_e1989);
+                                        let _e2029 = -(_e1991);
+                                        let _e2036 = (select(_e1993, _e2021, (_e2021 < _e1993)) + (select(_e2028, _e1993, (_e1993 > _e2028)) * 0.0000019073523f));
+                                        let _e2037 = (select(_e1995, _e2023, (_e2023 < _e1995)) + (select(_e2029, _e1995, (_e1995 > _e2029)) * 0.0000019073523f));
+                                        let _e2039 = select(_e622, _e2009, (_e2009 > _e622));
+                                        let _e2041 = select(_e622, _e2011, (_e2011 > _e622));
+                                        let _e2046 = (_e2039 <= select(_e1650.member, _e2036, (_e2036 < _e1650.member)));
+                                        let _e2047 = (_e2041 <= select(_e1650.member, _e2037, (_e2037 < _e1650.member)));
+                                        let _e2048 = (_e2039 <= _e2041);
+                                        if _e2046 {
+                                            if _e2047 {
+                                                if _e2048 {
+                                                    phi_4053_ = _e1946.member_2;
                                                 } else {
-                                                    phi_4059_ = _e1014.member_1;
+                                                    phi_4053_ = _e1946.member_1;
                                                 }
-                                                let _e1120 = phi_4059_;
-                                                let _e1142 = (_e707 % 128u);
-                                                let _e1143 = (_e1142 < 128u);
-                                                if _e1143 {
+                                                let _e2052 = phi_4053_;
+                                                let _e2073 = (_e707 % 128u);
+                                                let _e2074 = (_e2073 < 128u);
+                                                if _e2074 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1142] = _e1120.member_1;
-                                                if _e1143 {
+                                                local_8[_e2073] = _e2052.member_1;
+                                                if _e2074 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1142] = _e1120.member.member.x;
-                                                if _e1143 {
+                                                local_7[_e2073] = _e2052.member.member.x;
+                                                if _e2074 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1142] = _e1120.member.member.y;
-                                                if _e1143 {
+                                                local_6[_e2073] = _e2052.member.member.y;
+                                                if _e2074 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1142] = _e1120.member.member.z;
-                                                if _e1143 {
+                                                local_5[_e2073] = _e2052.member.member.z;
+                                                if _e2074 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1142] = _e1120.member.member_1.x;
-                                                if _e1143 {
+                                                local_4[_e2073] = _e2052.member.member_1.x;
+                                                if _e2074 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1142] = _e1120.member.member_1.y;
-                                                if _e1143 {
+                                                local_3[_e2073] = _e2052.member.member_1.y;
+                                                if _e2074 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1142] = _e1120.member.member_1.z;
-                                                if _e1143 {
+                                                local_2[_e2073] = _e2052.member.member_1.z;
+                                                if _e2074 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1142] = select(_e1109, _e1107, !(_e1116));
-                                                if _e1116 {
-                                                    phi_4136_ = _e1014.member_1;
+                                                local_9[_e2073] = select(_e2039, _e2041, _e2048);
+                                                if _e2048 {
+                                                    phi_4129_ = _e1946.member_1;
                                                 } else {
-                                                    phi_4136_ = _e1014.member_2;
+                                                    phi_4129_ = _e1946.member_2;
                                                 }
-                                                let _e1156 = phi_4136_;
-                                                phi_4137_ = (_e707 + 1u);
-                                                phi_4138_ = _e1156;
+                                                let _e2087 = phi_4129_;
+                                                phi_4130_ = (_e707 + 1u);
+                                                phi_4131_ = _e2087;
                                             } else {
-                                                phi_4137_ = u32();
-                                                phi_4138_ = type_45();
+                                                phi_4130_ = u32();
+                                                phi_4131_ = type_45();
                                             }
-                                            let _e1158 = phi_4137_;
-                                            let _e1160 = phi_4138_;
-                                            phi_4140_ = _e1158;
-                                            phi_4141_ = _e1160;
-                                            phi_4142_ = select(true, false, _e1115);
+                                            let _e2089 = phi_4130_;
+                                            let _e2091 = phi_4131_;
+                                            phi_4133_ = _e2089;
+                                            phi_4134_ = _e2091;
+                                            phi_4135_ = select(true, false, _e2047);
                                         } else {
-                                            phi_4140_ = u32();
-                                            phi_4141_ = type_45();
-                                            phi_4142_ = true;
+                                            phi_4133_ = u32();
+                                            phi_4134_ = type_45();
+                                            phi_4135_ = true;
                                         }
-                                        let _e1163 = phi_4140_;
-                                        let _e1165 = phi_4141_;
-                                        let _e1167 = phi_4142_;
-                                        if _e1167 {
-                                            if _e1114 {
-                                                phi_4151_ = _e1014.member_1;
+                                        let _e2094 = phi_4133_;
+                                        let _e2096 = phi_4134_;
+                                        let _e2098 = phi_4135_;
+                                        if _e2098 {
+                                            if _e2046 {
+                                                phi_4144_ = _e1946.member_1;
                                             } else {
-                                                phi_4151_ = _e1014.member_2;
+                                                phi_4144_ = _e1946.member_2;
                                             }
-                                            let _e1171 = phi_4151_;
-                                            phi_4156_ = select(_e1115, true, _e1114);
-                                            phi_4158_ = _e1171;
+                                            let _e2102 = phi_4144_;
+                                            phi_4149_ = select(_e2047, true, _e2046);
+                                            phi_4151_ = _e2102;
                                         } else {
-                                            phi_4156_ = _e705;
-                                            phi_4158_ = _e1165;
+                                            phi_4149_ = _e705;
+                                            phi_4151_ = _e2096;
                                         }
-                                        let _e1174 = phi_4156_;
-                                        let _e1176 = phi_4158_;
-                                        phi_4596_ = _e664;
-                                        phi_4162_ = _e666;
-                                        phi_4163_ = _e1174;
-                                        phi_4164_ = select(_e1163, _e707, _e1167);
-                                        phi_4165_ = _e1176;
+                                        let _e2105 = phi_4149_;
+                                        let _e2107 = phi_4151_;
+                                        phi_4155_ = _e2105;
+                                        phi_4156_ = select(_e2094, _e707, _e2098);
+                                        phi_4157_ = _e2107;
                                     }
-                                    let _e2111 = phi_4596_;
-                                    let _e2113 = phi_4162_;
-                                    let _e2115 = phi_4163_;
-                                    let _e2117 = phi_4164_;
-                                    let _e2119 = phi_4165_;
-                                    phi_4595_ = _e2111;
-                                    phi_4166_ = _e2113;
-                                    phi_4167_ = _e2115;
-                                    phi_4168_ = (_e670 - 1u);
-                                    phi_4169_ = _e2117;
-                                    phi_4170_ = _e2119;
+                                    let _e2110 = phi_4155_;
+                                    let _e2112 = phi_4156_;
+                                    let _e2114 = phi_4157_;
+                                    if _e713 {
+                                        phi_4167_ = select(_e707, 0u, _e1650.member_1);
+                                        phi_4168_ = _e709;
+                                    } else {
+                                        phi_4167_ = _e2112;
+                                        phi_4168_ = _e2114;
+                                    }
+                                    let _e2118 = phi_4167_;
+                                    let _e2120 = phi_4168_;
+                                    phi_4598_ = _e1648;
+                                    phi_4169_ = _e1650;
+                                    phi_4170_ = (_e668 - 1u);
+                                    phi_4171_ = select(_e2110, false, _e713);
+                                    phi_4172_ = _e2118;
+                                    phi_4173_ = _e2120;
                                 } else {
-                                    phi_4595_ = _e664;
-                                    phi_4166_ = _e666;
-                                    phi_4167_ = _e705;
-                                    phi_4168_ = _e670;
-                                    phi_4169_ = _e707;
-                                    phi_4170_ = _e709;
+                                    phi_4598_ = _e664;
+                                    phi_4169_ = _e666;
+                                    phi_4170_ = _e668;
+                                    phi_4171_ = _e705;
+                                    phi_4172_ = _e707;
+                                    phi_4173_ = _e709;
                                 }
-                                let _e2121 = phi_4595_;
-                                let _e2123 = phi_4166_;
-                                let _e2125 = phi_4167_;
-                                let _e2127 = phi_4168_;
-                                let _e2129 = phi_4169_;
-                                let _e2131 = phi_4170_;
-                                phi_4594_ = _e2121;
-                                phi_4171_ = _e2123;
-                                phi_4172_ = _e2125;
-                                phi_4173_ = _e2127;
-                                phi_4174_ = _e2129;
-                                phi_4175_ = _e2131;
+                                let _e2123 = phi_4598_;
+                                let _e2125 = phi_4169_;
+                                let _e2127 = phi_4170_;
+                                let _e2129 = phi_4171_;
+                                let _e2131 = phi_4172_;
+                                let _e2133 = phi_4173_;
+                                phi_4597_ = _e2123;
+                                phi_4174_ = _e2125;
+                                phi_4175_ = _e2127;
+                                phi_4176_ = _e2129;
+                                phi_4177_ = _e2131;
+                                phi_4178_ = _e2133;
                             } else {
-                                phi_4594_ = _e664;
-                                phi_4171_ = type_38();
-                                phi_4172_ = bool();
-                                phi_4173_ = u32();
-                                phi_4174_ = u32();
-                                phi_4175_ = type_45();
+                                phi_4597_ = _e664;
+                                phi_4174_ = type_38();
+                                phi_4175_ = u32();
+                                phi_4176_ = bool();
+                                phi_4177_ = u32();
+                                phi_4178_ = type_45();
                             }
-                            let _e2133 = phi_4594_;
-                            let _e2135 = phi_4171_;
-                            let _e2137 = phi_4172_;
-                            let _e2139 = phi_4173_;
-                            let _e2141 = phi_4174_;
-                            let _e2143 = phi_4175_;
-                            phi_4593_ = _e2133;
-                            phi_1088_ = _e2135;
-                            phi_1091_ = _e2137;
-                            phi_1093_ = _e2139;
-                            phi_1095_ = _e2141;
-                            phi_1097_ = _e2143;
-                            phi_4176_ = _e678;
+                            let _e2135 = phi_4597_;
+                            let _e2137 = phi_4174_;
+                            let _e2139 = phi_4175_;
+                            let _e2141 = phi_4176_;
+                            let _e2143 = phi_4177_;
+                            let _e2145 = phi_4178_;
+                            phi_4596_ = _e2135;
+                            phi_1088_ = _e2137;
+                            phi_1091_ = _e2139;
+                            phi_1093_ = _e2141;
+                            phi_1095_ = _e2143;
+                            phi_1097_ = _e2145;
+                            phi_4179_ = _e678;
                         } else {
-                            phi_4593_ = _e664;
+                            phi_4596_ = _e664;
                             phi_1088_ = type_38();
-                            phi_1091_ = bool();
-                            phi_1093_ = u32();
+                            phi_1091_ = u32();
+                            phi_1093_ = bool();
                             phi_1095_ = u32();
                             phi_1097_ = type_45();
-                            phi_4176_ = false;
+                            phi_4179_ = false;
                         }
-                        let _e2145 = phi_4593_;
-                        let _e2147 = phi_1088_;
-                        let _e2149 = phi_1091_;
-                        let _e2151 = phi_1093_;
-                        let _e2153 = phi_1095_;
-                        let _e2155 = phi_1097_;
-                        let _e2157 = phi_4176_;
+                        let _e2147 = phi_4596_;
+                        let _e2149 = phi_1088_;
+                        let _e2151 = phi_1091_;
+                        let _e2153 = phi_1093_;
+                        let _e2155 = phi_1095_;
+                        let _e2157 = phi_1097_;
+                        let _e2159 = phi_4179_;
                         continue;
                         continuing {
-                            phi_4394_ = _e2145;
-                            phi_1087_ = _e2147;
-                            phi_1090_ = _e2149;
-                            phi_1092_ = _e2151;
-                            phi_1094_ = _e2153;
-                            phi_1096_ = _e2155;
-                            phi_4592_ = _e2145;
-                            break if !(_e2157);
+                            phi_4397_ = _e2147;
+                            phi_1087_ = _e2149;
+                            phi_1090_ = _e2151;
+                            phi_1092_ = _e2153;
+                            phi_1094_ = _e2155;
+                            phi_1096_ = _e2157;
+                            phi_4595_ = _e2147;
+                            break if !(_e2159);
                         }
                     }
-                    let _e2160 = phi_4592_;
-                    if _e2160 {
+                    let _e2162 = phi_4595_;
+                    if _e2162 {
                         break;
                     }
-                    let _e2162 = local_11;
+                    let _e2164 = local_10;
                     if _e155 {
                     } else {
                         break;
                     }
-                    global_5.member[_e153] = select(0u, 1u, _e2162.member_1);
+                    global_5.member[_e153] = select(0u, 1u, _e2164.member_1);
                 }
             }
             break;

@@ -127,34 +127,16 @@ fn function_() {
     var phi_957_: u32;
     var phi_965_: f32;
     var phi_966_: f32;
-    var phi_3724_: bool;
+    var phi_3727_: bool;
     var phi_1062_: type_38;
-    var phi_1065_: bool;
-    var phi_1067_: u32;
+    var phi_1065_: u32;
+    var phi_1067_: bool;
     var phi_1069_: u32;
     var phi_1071_: type_49;
     var phi_1082_: bool;
     var phi_1168_: bool;
     var phi_1169_: u32;
     var phi_1170_: type_49;
-    var phi_2972_: u32;
-    var phi_2973_: u32;
-    var phi_2983_: u32;
-    var phi_2985_: u32;
-    var phi_2986_: bool;
-    var phi_3006_: u32;
-    var phi_3007_: u32;
-    var phi_3011_: type_50;
-    var phi_3373_: type_49;
-    var phi_3450_: type_49;
-    var phi_3451_: u32;
-    var phi_3452_: type_49;
-    var phi_3454_: u32;
-    var phi_3455_: type_49;
-    var phi_3456_: bool;
-    var phi_3465_: type_49;
-    var phi_3470_: bool;
-    var phi_3472_: type_49;
     var phi_1188_: type_38;
     var phi_1191_: type_7;
     var phi_1192_: type_7;
@@ -199,35 +181,54 @@ fn function_() {
     var phi_2237_: type_38;
     var phi_2238_: type_38;
     var phi_1189_: type_38;
-    var phi_3718_: bool;
-    var local_10: type_38;
+    var phi_3721_: bool;
+    var phi_3964_: bool;
+    var phi_2239_: type_38;
+    var phi_2966_: u32;
+    var phi_2967_: u32;
+    var phi_2977_: u32;
+    var phi_2979_: u32;
+    var phi_2980_: bool;
+    var phi_3000_: u32;
+    var phi_3001_: u32;
+    var phi_3005_: type_50;
+    var phi_3367_: type_49;
+    var phi_3443_: type_49;
+    var phi_3444_: u32;
+    var phi_3445_: type_49;
+    var phi_3447_: u32;
+    var phi_3448_: type_49;
+    var phi_3449_: bool;
+    var phi_3458_: type_49;
+    var phi_3463_: bool;
+    var phi_3465_: type_49;
+    var phi_3469_: bool;
+    var phi_3470_: u32;
+    var phi_3471_: type_49;
+    var phi_3481_: u32;
+    var phi_3482_: type_49;
+    var phi_3881_: bool;
+    var phi_3483_: type_38;
+    var phi_3484_: u32;
+    var phi_3485_: bool;
+    var phi_3486_: u32;
+    var phi_3487_: type_49;
+    var phi_3880_: bool;
+    var phi_3488_: type_38;
+    var phi_3489_: u32;
+    var phi_3490_: bool;
+    var phi_3491_: u32;
+    var phi_3492_: type_49;
     var phi_3879_: bool;
-    var phi_3476_: type_38;
-    var phi_3477_: bool;
-    var phi_3478_: u32;
-    var phi_3479_: type_49;
-    var phi_3878_: bool;
-    var phi_3480_: type_38;
-    var phi_3481_: bool;
-    var phi_3482_: u32;
-    var phi_3483_: u32;
-    var phi_3484_: type_49;
-    var phi_3877_: bool;
-    var phi_3485_: type_38;
-    var phi_3486_: bool;
-    var phi_3487_: u32;
-    var phi_3488_: u32;
-    var phi_3489_: type_49;
-    var phi_3876_: bool;
     var phi_1063_: type_38;
-    var phi_1066_: bool;
-    var phi_1068_: u32;
+    var phi_1066_: u32;
+    var phi_1068_: bool;
     var phi_1070_: u32;
     var phi_1072_: type_49;
-    var phi_3490_: bool;
-    var phi_3875_: bool;
+    var phi_3493_: bool;
+    var phi_3878_: bool;
+    var local_10: type_38;
     var local_11: type_38;
-    var local_12: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -591,31 +592,31 @@ fn function_() {
                         break;
                     }
                     let _e645 = local[_e629];
-                    phi_3724_ = false;
+                    phi_3727_ = false;
                     phi_1062_ = type_38(_e611, false);
-                    phi_1065_ = (_e613 <= _e611);
-                    phi_1067_ = ((3u * _e88) + 1u);
+                    phi_1065_ = ((3u * _e88) + 1u);
+                    phi_1067_ = (_e613 <= _e611);
                     phi_1069_ = 0u;
                     phi_1071_ = type_49(type_28(vec4<f32>((f32(_e620) * _e138), (f32(_e626) * _e138), (f32(_e632) * _e138), 0f), vec4<f32>((f32(_e637) * _e138), (f32(_e641) * _e138), (f32(_e645) * _e138), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
                     loop {
-                        let _e655 = phi_3724_;
+                        let _e655 = phi_3727_;
                         let _e657 = phi_1062_;
                         let _e659 = phi_1065_;
                         let _e661 = phi_1067_;
                         let _e663 = phi_1069_;
                         let _e665 = phi_1071_;
-                        local_11 = _e657;
-                        if _e659 {
+                        local_10 = _e657;
+                        if _e661 {
                             phi_1082_ = true;
                         } else {
                             phi_1082_ = (_e663 > 0u);
                         }
                         let _e668 = phi_1082_;
                         if _e668 {
-                            let _e669 = (_e661 > 0u);
+                            let _e669 = (_e659 > 0u);
                             if _e669 {
-                                if _e659 {
-                                    phi_1168_ = _e659;
+                                if _e661 {
+                                    phi_1168_ = _e661;
                                     phi_1169_ = _e663;
                                     phi_1170_ = _e665;
                                 } else {
@@ -624,49 +625,49 @@ fn function_() {
                                     let _e672 = (_e671 < 128u);
                                     if _e672 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e674 = local_7[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e676 = local_6[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e678 = local_5[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e680 = local_4[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e682 = local_3[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e684 = local_2[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e689 = local_8[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3875_ = true;
+                                        phi_3878_ = true;
                                         break;
                                     }
                                     let _e692 = local_9[_e671];
@@ -678,803 +679,814 @@ fn function_() {
                                 let _e698 = phi_1169_;
                                 let _e700 = phi_1170_;
                                 if _e696 {
-                                    if ((_e700.member_1 & 2147483648u) != 0u) {
+                                    let _e704 = ((_e700.member_1 & 2147483648u) != 0u);
+                                    if _e704 {
                                         phi_1188_ = _e657;
                                         phi_1191_ = type_7(0u, ((_e700.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1168 = phi_1188_;
-                                            let _e1170 = phi_1191_;
-                                            local_10 = _e1168;
-                                            local_12 = _e1168;
-                                            if (_e1170.member < _e1170.member_1) {
-                                                phi_1192_ = type_7((_e1170.member + 1u), _e1170.member_1);
-                                                phi_1214_ = type_7(1u, _e1170.member);
+                                            let _e711 = phi_1188_;
+                                            let _e713 = phi_1191_;
+                                            local_11 = _e711;
+                                            if (_e713.member < _e713.member_1) {
+                                                phi_1192_ = type_7((_e713.member + 1u), _e713.member_1);
+                                                phi_1214_ = type_7(1u, _e713.member);
                                             } else {
-                                                phi_1192_ = _e1170;
+                                                phi_1192_ = _e713;
                                                 phi_1214_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1183 = phi_1192_;
-                                            let _e1185 = phi_1214_;
-                                            let _e1189 = (bitcast<i32>(_e1185.member) != 0i);
-                                            if _e1189 {
-                                                let _e1190 = ((_e700.member_1 & 268435455u) + _e1185.member_1);
-                                                let _e1191 = (_e1190 < _e90);
-                                                if _e1191 {
-                                                    if _e1191 {
+                                            let _e726 = phi_1192_;
+                                            let _e728 = phi_1214_;
+                                            let _e732 = (bitcast<i32>(_e728.member) != 0i);
+                                            if _e732 {
+                                                let _e733 = ((_e700.member_1 & 268435455u) + _e728.member_1);
+                                                let _e734 = (_e733 < _e90);
+                                                if _e734 {
+                                                    if _e734 {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1195 = global_2.member[_e1190].member_1;
-                                                    phi_1235_ = _e1195;
+                                                    let _e738 = global_2.member[_e733].member_1;
+                                                    phi_1235_ = _e738;
                                                 } else {
                                                     phi_1235_ = 4294967295u;
                                                 }
-                                                let _e1197 = phi_1235_;
-                                                if (_e1190 >= _e90) {
+                                                let _e740 = phi_1235_;
+                                                if (_e733 >= _e90) {
                                                     phi_1327_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1191 {
+                                                    if _e734 {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
                                                     if (_e617 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1204 = global_2.member[_e1190].member[_e617];
+                                                    let _e747 = global_2.member[_e733].member[_e617];
                                                     if (_e623 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1210 = global_2.member[_e1190].member[_e623];
+                                                    let _e753 = global_2.member[_e733].member[_e623];
                                                     if (_e629 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1216 = global_2.member[_e1190].member[_e629];
-                                                    let _e1218 = (3u + _e617);
-                                                    if (_e1218 < 9u) {
+                                                    let _e759 = global_2.member[_e733].member[_e629];
+                                                    let _e761 = (3u + _e617);
+                                                    if (_e761 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1224 = global_2.member[_e1190].member[_e1218];
-                                                    let _e1225 = (3u + _e623);
-                                                    if (_e1225 < 9u) {
+                                                    let _e767 = global_2.member[_e733].member[_e761];
+                                                    let _e768 = (3u + _e623);
+                                                    if (_e768 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1231 = global_2.member[_e1190].member[_e1225];
-                                                    let _e1232 = (3u + _e629);
-                                                    if (_e1232 < 9u) {
+                                                    let _e774 = global_2.member[_e733].member[_e768];
+                                                    let _e775 = (3u + _e629);
+                                                    if (_e775 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1238 = global_2.member[_e1190].member[_e1232];
-                                                    let _e1240 = (6u + _e617);
-                                                    if (_e1240 < 9u) {
+                                                    let _e781 = global_2.member[_e733].member[_e775];
+                                                    let _e783 = (6u + _e617);
+                                                    if (_e783 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1246 = global_2.member[_e1190].member[_e1240];
-                                                    let _e1247 = (6u + _e623);
-                                                    if (_e1247 < 9u) {
+                                                    let _e789 = global_2.member[_e733].member[_e783];
+                                                    let _e790 = (6u + _e623);
+                                                    if (_e790 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1253 = global_2.member[_e1190].member[_e1247];
-                                                    let _e1254 = (6u + _e629);
-                                                    if (_e1254 < 9u) {
+                                                    let _e796 = global_2.member[_e733].member[_e790];
+                                                    let _e797 = (6u + _e629);
+                                                    if (_e797 < 9u) {
                                                     } else {
-                                                        phi_3718_ = true;
+                                                        phi_3721_ = true;
                                                         break;
                                                     }
-                                                    let _e1260 = global_2.member[_e1190].member[_e1254];
-                                                    phi_1327_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1204, _e1210, _e1216), array<f32, 3>(_e1224, _e1231, _e1238), array<f32, 3>(_e1246, _e1253, _e1260));
+                                                    let _e803 = global_2.member[_e733].member[_e797];
+                                                    phi_1327_ = array<array<f32, 3>, 3>(array<f32, 3>(_e747, _e753, _e759), array<f32, 3>(_e767, _e774, _e781), array<f32, 3>(_e789, _e796, _e803));
                                                 }
-                                                let _e1264 = phi_1327_;
-                                                let _e1272 = (_e1264[0][2] - _e459);
-                                                let _e1275 = (((_e1264[0][0] - _e322) * _e498) - (_e1272 * _e362));
-                                                let _e1278 = (((_e1264[0][1] - _e391) * _e498) - (_e1272 * _e430));
-                                                let _e1285 = (_e1264[1][2] - _e459);
-                                                let _e1288 = (((_e1264[1][0] - _e322) * _e498) - (_e1285 * _e362));
-                                                let _e1291 = (((_e1264[1][1] - _e391) * _e498) - (_e1285 * _e430));
-                                                let _e1298 = (_e1264[2][2] - _e459);
-                                                let _e1301 = (((_e1264[2][0] - _e322) * _e498) - (_e1298 * _e362));
-                                                let _e1304 = (((_e1264[2][1] - _e391) * _e498) - (_e1298 * _e430));
-                                                let _e1305 = (_e1301 * _e1291);
-                                                let _e1306 = (_e1304 * _e1288);
-                                                let _e1307 = (_e1275 * _e1304);
-                                                let _e1308 = (_e1278 * _e1301);
-                                                let _e1309 = (_e1288 * _e1278);
-                                                let _e1310 = (_e1291 * _e1275);
-                                                let _e1315 = (((_e1305 >= _e1306) && (_e1307 >= _e1308)) && (_e1309 >= _e1310));
-                                                if (_e1315 || (((_e1305 <= _e1306) && (_e1307 <= _e1308)) && (_e1309 <= _e1310))) {
-                                                    let _e1322 = select(-1f, 1f, _e1315);
-                                                    let _e1324 = ((_e1305 - _e1306) * _e1322);
-                                                    let _e1326 = select(0f, _e1324, (_e1324 > 0f));
-                                                    let _e1328 = ((_e1307 - _e1308) * _e1322);
-                                                    let _e1330 = select(0f, _e1328, (_e1328 > 0f));
-                                                    let _e1332 = ((_e1309 - _e1310) * _e1322);
-                                                    let _e1334 = select(0f, _e1332, (_e1332 > 0f));
-                                                    let _e1336 = ((_e1326 + _e1330) + _e1334);
-                                                    if (_e1336 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e807 = phi_1327_;
+                                                let _e815 = (_e807[0][2] - _e459);
+                                                let _e818 = (((_e807[0][0] - _e322) * _e498) - (_e815 * _e362));
+                                                let _e821 = (((_e807[0][1] - _e391) * _e498) - (_e815 * _e430));
+                                                let _e828 = (_e807[1][2] - _e459);
+                                                let _e831 = (((_e807[1][0] - _e322) * _e498) - (_e828 * _e362));
+                                                let _e834 = (((_e807[1][1] - _e391) * _e498) - (_e828 * _e430));
+                                                let _e841 = (_e807[2][2] - _e459);
+                                                let _e844 = (((_e807[2][0] - _e322) * _e498) - (_e841 * _e362));
+                                                let _e847 = (((_e807[2][1] - _e391) * _e498) - (_e841 * _e430));
+                                                let _e848 = (_e844 * _e834);
+                                                let _e849 = (_e847 * _e831);
+                                                let _e850 = (_e818 * _e847);
+                                                let _e851 = (_e821 * _e844);
+                                                let _e852 = (_e831 * _e821);
+                                                let _e853 = (_e834 * _e818);
+                                                let _e858 = (((_e848 >= _e849) && (_e850 >= _e851)) && (_e852 >= _e853));
+                                                if (_e858 || (((_e848 <= _e849) && (_e850 <= _e851)) && (_e852 <= _e853))) {
+                                                    let _e865 = select(-1f, 1f, _e858);
+                                                    let _e867 = ((_e848 - _e849) * _e865);
+                                                    let _e869 = select(0f, _e867, (_e867 > 0f));
+                                                    let _e871 = ((_e850 - _e851) * _e865);
+                                                    let _e873 = select(0f, _e871, (_e871 > 0f));
+                                                    let _e875 = ((_e852 - _e853) * _e865);
+                                                    let _e877 = select(0f, _e875, (_e875 > 0f));
+                                                    let _e879 = ((_e869 + _e873) + _e877);
+                                                    if (_e879 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2211_ = type_24();
                                                         phi_2212_ = true;
                                                         phi_2213_ = false;
                                                     } else {
-                                                        let _e1339 = select(_e1288, _e1275, (_e1275 < _e1288));
-                                                        if (select(_e1301, _e1339, (_e1339 < _e1301)) > 0f) {
+                                                        let _e882 = select(_e831, _e818, (_e818 < _e831));
+                                                        if (select(_e844, _e882, (_e882 < _e844)) > 0f) {
                                                             phi_1479_ = true;
                                                         } else {
-                                                            let _e1344 = select(_e1288, _e1275, (_e1275 > _e1288));
-                                                            phi_1479_ = (select(_e1301, _e1344, (_e1344 > _e1301)) < 0f);
+                                                            let _e887 = select(_e831, _e818, (_e818 > _e831));
+                                                            phi_1479_ = (select(_e844, _e887, (_e887 > _e844)) < 0f);
                                                         }
-                                                        let _e1349 = phi_1479_;
-                                                        if _e1349 {
+                                                        let _e892 = phi_1479_;
+                                                        if _e892 {
                                                             phi_2208_ = type_24();
                                                             phi_2209_ = true;
                                                             phi_2210_ = false;
                                                         } else {
-                                                            let _e1351 = select(_e1291, _e1278, (_e1278 < _e1291));
-                                                            if (select(_e1304, _e1351, (_e1351 < _e1304)) > 0f) {
+                                                            let _e894 = select(_e834, _e821, (_e821 < _e834));
+                                                            if (select(_e847, _e894, (_e894 < _e847)) > 0f) {
                                                                 phi_1508_ = true;
                                                             } else {
-                                                                let _e1356 = select(_e1291, _e1278, (_e1278 > _e1291));
-                                                                phi_1508_ = (select(_e1304, _e1356, (_e1356 > _e1304)) < 0f);
+                                                                let _e899 = select(_e834, _e821, (_e821 > _e834));
+                                                                phi_1508_ = (select(_e847, _e899, (_e899 > _e847)) < 0f);
                                                             }
-                                                            let _e1361 = phi_1508_;
-                                                            if _e1361 {
+                                                            let _e904 = phi_1508_;
+                                                            if _e904 {
                                                                 phi_2206_ = type_24();
                                                                 phi_2207_ = false;
                                                             } else {
-                                                                let _e1363 = select(_e1264[1][0], _e1264[0][0], (_e1264[0][0] < _e1264[1][0]));
-                                                                let _e1367 = select(_e1264[1][0], _e1264[0][0], (_e1264[0][0] > _e1264[1][0]));
-                                                                let _e1371 = select(_e1264[1][1], _e1264[0][1], (_e1264[0][1] < _e1264[1][1]));
-                                                                let _e1375 = select(_e1264[1][1], _e1264[0][1], (_e1264[0][1] > _e1264[1][1]));
-                                                                let _e1379 = select(_e1264[1][2], _e1264[0][2], (_e1264[0][2] < _e1264[1][2]));
-                                                                let _e1383 = select(_e1264[1][2], _e1264[0][2], (_e1264[0][2] > _e1264[1][2]));
-                                                                let _e1388 = ((select(_e1264[2][0], _e1363, (_e1363 < _e1264[2][0])) - _e360) * _e365);
-                                                                let _e1389 = ((select(_e1264[2][0], _e1367, (_e1367 > _e1264[2][0])) - _e361) * _e365);
-                                                                let _e1392 = ((select(_e1264[2][1], _e1371, (_e1371 < _e1264[2][1])) - _e428) * _e433);
-                                                                let _e1393 = ((select(_e1264[2][1], _e1375, (_e1375 > _e1264[2][1])) - _e429) * _e433);
-                                                                let _e1396 = ((select(_e1264[2][2], _e1379, (_e1379 < _e1264[2][2])) - _e496) * _e501);
-                                                                let _e1397 = ((select(_e1264[2][2], _e1383, (_e1383 > _e1264[2][2])) - _e497) * _e501);
-                                                                let _e1399 = select(_e1397, _e1396, (_e1396 < _e1397));
-                                                                let _e1401 = select(_e1397, _e1396, (_e1396 > _e1397));
-                                                                let _e1403 = select(_e1389, _e1388, (_e1388 < _e1389));
-                                                                let _e1405 = select(_e1393, _e1392, (_e1392 < _e1393));
-                                                                let _e1407 = select(_e1405, _e1403, (_e1403 > _e1405));
-                                                                let _e1409 = select(_e1399, _e1407, (_e1407 > _e1399));
-                                                                let _e1411 = select(_e1389, _e1388, (_e1388 > _e1389));
-                                                                let _e1413 = select(_e1393, _e1392, (_e1392 > _e1393));
-                                                                let _e1415 = select(_e1413, _e1411, (_e1411 < _e1413));
-                                                                let _e1417 = select(_e1401, _e1415, (_e1415 < _e1401));
-                                                                let _e1418 = -(_e1399);
-                                                                let _e1424 = select(_e613, _e1409, (_e1409 > _e613));
-                                                                if (_e1424 > (_e1417 + (select(_e1418, _e1401, (_e1401 > _e1418)) * 0.0000019073523f))) {
+                                                                let _e906 = select(_e807[1][0], _e807[0][0], (_e807[0][0] < _e807[1][0]));
+                                                                let _e910 = select(_e807[1][0], _e807[0][0], (_e807[0][0] > _e807[1][0]));
+                                                                let _e914 = select(_e807[1][1], _e807[0][1], (_e807[0][1] < _e807[1][1]));
+                                                                let _e918 = select(_e807[1][1], _e807[0][1], (_e807[0][1] > _e807[1][1]));
+                                                                let _e922 = select(_e807[1][2], _e807[0][2], (_e807[0][2] < _e807[1][2]));
+                                                                let _e926 = select(_e807[1][2], _e807[0][2], (_e807[0][2] > _e807[1][2]));
+                                                                let _e931 = ((select(_e807[2][0], _e906, (_e906 < _e807[2][0])) - _e360) * _e365);
+                                                                let _e932 = ((select(_e807[2][0], _e910, (_e910 > _e807[2][0])) - _e361) * _e365);
+                                                                let _e935 = ((select(_e807[2][1], _e914, (_e914 < _e807[2][1])) - _e428) * _e433);
+                                                                let _e936 = ((select(_e807[2][1], _e918, (_e918 > _e807[2][1])) - _e429) * _e433);
+                                                                let _e939 = ((select(_e807[2][2], _e922, (_e922 < _e807[2][2])) - _e496) * _e501);
+                                                                let _e940 = ((select(_e807[2][2], _e926, (_e926 > _e807[2][2])) - _e497) * _e501);
+                                                                let _e942 = select(_e940, _e939, (_e939 < _e940));
+                                                                let _e944 = select(_e940, _e939, (_e939 > _e940));
+                                                                let _e946 = select(_e932, _e931, (_e931 < _e932));
+                                                                let _e948 = select(_e936, _e935, (_e935 < _e936));
+                                                                let _e950 = select(_e948, _e946, (_e946 > _e948));
+                                                                let _e952 = select(_e942, _e950, (_e950 > _e942));
+                                                                let _e954 = select(_e932, _e931, (_e931 > _e932));
+                                                                let _e956 = select(_e936, _e935, (_e935 > _e936));
+                                                                let _e958 = select(_e956, _e954, (_e954 < _e956));
+                                                                let _e960 = select(_e944, _e958, (_e958 < _e944));
+                                                                let _e961 = -(_e942);
+                                                                let _e967 = select(_e613, _e952, (_e952 > _e613));
+                                                                if (_e967 > (_e960 + (select(_e961, _e944, (_e944 > _e961)) * 0.0000019073523f))) {
                                                                     phi_2201_ = type_24();
                                                                     phi_2202_ = true;
                                                                 } else {
-                                                                    let _e1426 = (_e1424 > _e1168.member);
-                                                                    if _e1426 {
+                                                                    let _e969 = (_e967 > _e711.member);
+                                                                    if _e969 {
                                                                         phi_2200_ = type_24();
                                                                     } else {
-                                                                        let _e1427 = vec3<f32>(_e1264[0][0], _e1264[0][1], _e1264[0][2]);
-                                                                        let _e1428 = vec3<f32>(_e1264[1][0], _e1264[1][1], _e1264[1][2]);
-                                                                        let _e1429 = vec3<f32>(_e1264[2][0], _e1264[2][1], _e1264[2][2]);
-                                                                        let _e1430 = (_e1264[1][0] - _e1264[0][0]);
-                                                                        let _e1431 = (_e1264[1][1] - _e1264[0][1]);
-                                                                        let _e1432 = (_e1264[1][2] - _e1264[0][2]);
-                                                                        let _e1433 = vec3<f32>(_e1430, _e1431, _e1432);
-                                                                        let _e1434 = (_e1264[2][0] - _e1264[1][0]);
-                                                                        let _e1435 = (_e1264[2][1] - _e1264[1][1]);
-                                                                        let _e1436 = (_e1264[2][2] - _e1264[1][2]);
-                                                                        let _e1437 = vec3<f32>(_e1434, _e1435, _e1436);
-                                                                        let _e1438 = (_e1264[0][0] - _e1264[2][0]);
-                                                                        let _e1439 = (_e1264[0][1] - _e1264[2][1]);
-                                                                        let _e1440 = (_e1264[0][2] - _e1264[2][2]);
-                                                                        let _e1441 = vec3<f32>(_e1438, _e1439, _e1440);
-                                                                        let _e1444 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
-                                                                        let _e1447 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
-                                                                        let _e1449 = select(_e1447, _e1444, (_e1444 > _e1447));
-                                                                        let _e1452 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
-                                                                        let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
-                                                                        let _e1457 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
-                                                                        let _e1460 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
-                                                                        let _e1462 = select(_e1460, _e1457, (_e1457 > _e1460));
-                                                                        let _e1465 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
-                                                                        let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
-                                                                        let _e1470 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
-                                                                        let _e1473 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
-                                                                        let _e1475 = select(_e1473, _e1470, (_e1470 > _e1473));
-                                                                        let _e1478 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
-                                                                        let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
-                                                                        let _e1482 = select(_e1467, _e1454, (_e1454 > _e1467));
-                                                                        let _e1484 = select(_e1480, _e1482, (_e1482 > _e1480));
-                                                                        if (_e1454 == _e1484) {
-                                                                            phi_1927_ = _e1291;
-                                                                            phi_1928_ = _e1288;
-                                                                            phi_1929_ = _e1278;
-                                                                            phi_1930_ = _e1275;
-                                                                            phi_1931_ = _e1427;
-                                                                            phi_1932_ = _e1441;
-                                                                            phi_1933_ = _e1437;
-                                                                            phi_1934_ = _e1433;
+                                                                        let _e970 = vec3<f32>(_e807[0][0], _e807[0][1], _e807[0][2]);
+                                                                        let _e971 = vec3<f32>(_e807[1][0], _e807[1][1], _e807[1][2]);
+                                                                        let _e972 = vec3<f32>(_e807[2][0], _e807[2][1], _e807[2][2]);
+                                                                        let _e973 = (_e807[1][0] - _e807[0][0]);
+                                                                        let _e974 = (_e807[1][1] - _e807[0][1]);
+                                                                        let _e975 = (_e807[1][2] - _e807[0][2]);
+                                                                        let _e976 = vec3<f32>(_e973, _e974, _e975);
+                                                                        let _e977 = (_e807[2][0] - _e807[1][0]);
+                                                                        let _e978 = (_e807[2][1] - _e807[1][1]);
+                                                                        let _e979 = (_e807[2][2] - _e807[1][2]);
+                                                                        let _e980 = vec3<f32>(_e977, _e978, _e979);
+                                                                        let _e981 = (_e807[0][0] - _e807[2][0]);
+                                                                        let _e982 = (_e807[0][1] - _e807[2][1]);
+                                                                        let _e983 = (_e807[0][2] - _e807[2][2]);
+                                                                        let _e984 = vec3<f32>(_e981, _e982, _e983);
+                                                                        let _e987 = bitcast<f32>((bitcast<u32>(_e973) & 2147483647u));
+                                                                        let _e990 = bitcast<f32>((bitcast<u32>(_e974) & 2147483647u));
+                                                                        let _e992 = select(_e990, _e987, (_e987 > _e990));
+                                                                        let _e995 = bitcast<f32>((bitcast<u32>(_e975) & 2147483647u));
+                                                                        let _e997 = select(_e995, _e992, (_e992 > _e995));
+                                                                        let _e1000 = bitcast<f32>((bitcast<u32>(_e977) & 2147483647u));
+                                                                        let _e1003 = bitcast<f32>((bitcast<u32>(_e978) & 2147483647u));
+                                                                        let _e1005 = select(_e1003, _e1000, (_e1000 > _e1003));
+                                                                        let _e1008 = bitcast<f32>((bitcast<u32>(_e979) & 2147483647u));
+                                                                        let _e1010 = select(_e1008, _e1005, (_e1005 > _e1008));
+                                                                        let _e1013 = bitcast<f32>((bitcast<u32>(_e981) & 2147483647u));
+                                                                        let _e1016 = bitcast<f32>((bitcast<u32>(_e982) & 2147483647u));
+                                                                        let _e1018 = select(_e1016, _e1013, (_e1013 > _e1016));
+                                                                        let _e1021 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
+                                                                        let _e1023 = select(_e1021, _e1018, (_e1018 > _e1021));
+                                                                        let _e1025 = select(_e1010, _e997, (_e997 > _e1010));
+                                                                        let _e1027 = select(_e1023, _e1025, (_e1025 > _e1023));
+                                                                        if (_e997 == _e1027) {
+                                                                            phi_1927_ = _e834;
+                                                                            phi_1928_ = _e831;
+                                                                            phi_1929_ = _e821;
+                                                                            phi_1930_ = _e818;
+                                                                            phi_1931_ = _e970;
+                                                                            phi_1932_ = _e984;
+                                                                            phi_1933_ = _e980;
+                                                                            phi_1934_ = _e976;
                                                                         } else {
-                                                                            let _e1486 = (_e1467 == _e1484);
-                                                                            let _e1491 = vec3(_e1486);
-                                                                            phi_1927_ = select(_e1278, _e1304, _e1486);
-                                                                            phi_1928_ = select(_e1275, _e1301, _e1486);
-                                                                            phi_1929_ = select(_e1304, _e1291, _e1486);
-                                                                            phi_1930_ = select(_e1301, _e1288, _e1486);
-                                                                            phi_1931_ = select(_e1429, _e1428, _e1491);
-                                                                            phi_1932_ = select(_e1437, _e1433, _e1491);
-                                                                            phi_1933_ = select(_e1433, _e1441, _e1491);
-                                                                            phi_1934_ = select(_e1441, _e1437, _e1491);
+                                                                            let _e1029 = (_e1010 == _e1027);
+                                                                            let _e1034 = vec3(_e1029);
+                                                                            phi_1927_ = select(_e821, _e847, _e1029);
+                                                                            phi_1928_ = select(_e818, _e844, _e1029);
+                                                                            phi_1929_ = select(_e847, _e834, _e1029);
+                                                                            phi_1930_ = select(_e844, _e831, _e1029);
+                                                                            phi_1931_ = select(_e972, _e971, _e1034);
+                                                                            phi_1932_ = select(_e980, _e976, _e1034);
+                                                                            phi_1933_ = select(_e976, _e984, _e1034);
+                                                                            phi_1934_ = select(_e984, _e980, _e1034);
                                                                         }
-                                                                        let _e1497 = phi_1927_;
-                                                                        let _e1499 = phi_1928_;
-                                                                        let _e1501 = phi_1929_;
-                                                                        let _e1503 = phi_1930_;
-                                                                        let _e1505 = phi_1931_;
-                                                                        let _e1507 = phi_1932_;
-                                                                        let _e1509 = phi_1933_;
-                                                                        let _e1511 = phi_1934_;
-                                                                        let _e1518 = ((_e1509.y * _e1507.z) - (_e1507.y * _e1509.z));
-                                                                        let _e1523 = ((_e1509.z * _e1507.x) - (_e1507.z * _e1509.x));
-                                                                        let _e1526 = ((_e1509.x * _e1507.y) - (_e1507.x * _e1509.y));
-                                                                        if (_e1326 >= _e1330) {
-                                                                            phi_1971_ = select(true, false, (_e1326 >= _e1334));
+                                                                        let _e1040 = phi_1927_;
+                                                                        let _e1042 = phi_1928_;
+                                                                        let _e1044 = phi_1929_;
+                                                                        let _e1046 = phi_1930_;
+                                                                        let _e1048 = phi_1931_;
+                                                                        let _e1050 = phi_1932_;
+                                                                        let _e1052 = phi_1933_;
+                                                                        let _e1054 = phi_1934_;
+                                                                        let _e1061 = ((_e1052.y * _e1050.z) - (_e1050.y * _e1052.z));
+                                                                        let _e1066 = ((_e1052.z * _e1050.x) - (_e1050.z * _e1052.x));
+                                                                        let _e1069 = ((_e1052.x * _e1050.y) - (_e1050.x * _e1052.y));
+                                                                        if (_e869 >= _e873) {
+                                                                            phi_1971_ = select(true, false, (_e869 >= _e877));
                                                                         } else {
                                                                             phi_1971_ = true;
                                                                         }
-                                                                        let _e1531 = phi_1971_;
-                                                                        if _e1531 {
-                                                                            phi_1980_ = select(_e1429, _e1428, vec3((_e1330 >= _e1334)));
+                                                                        let _e1074 = phi_1971_;
+                                                                        if _e1074 {
+                                                                            phi_1980_ = select(_e972, _e971, vec3((_e873 >= _e877)));
                                                                         } else {
-                                                                            phi_1980_ = _e1427;
+                                                                            phi_1980_ = _e970;
                                                                         }
-                                                                        let _e1536 = phi_1980_;
-                                                                        let _e1547 = (((_e1518 * (_e1536.x - _e322)) + (_e1523 * (_e1536.y - _e391))) + (_e1526 * (_e1536.z - _e459)));
-                                                                        let _e1552 = (((_e1518 * _e362) + (_e1523 * _e430)) + (_e1526 * _e498));
-                                                                        let _e1553 = (_e1499 - _e1503);
-                                                                        let _e1554 = (_e1497 - _e1501);
-                                                                        let _e1562 = (-(((_e1503 * _e1553) + (_e1501 * _e1554))) / ((_e1553 * _e1553) + (_e1554 * _e1554)));
-                                                                        let _e1564 = select(1f, _e1562, (_e1562 < 1f));
-                                                                        let _e1566 = select(0f, _e1564, (_e1564 > 0f));
-                                                                        let _e1579 = ((_e1505.x + (_e1511.x * _e1566)) - _e322);
-                                                                        let _e1580 = ((_e1505.y + (_e1511.y * _e1566)) - _e391);
-                                                                        let _e1581 = ((_e1505.z + (_e1511.z * _e1566)) - _e459);
-                                                                        let _e1582 = (_e1581 / _e498);
-                                                                        let _e1594 = bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u));
-                                                                        let _e1597 = bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u));
-                                                                        let _e1599 = select(_e1597, _e1594, (_e1594 > _e1597));
-                                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u));
-                                                                        let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
-                                                                        let _e1610 = bitcast<f32>((bitcast<u32>(_e1518) & 2147483647u));
-                                                                        let _e1613 = bitcast<f32>((bitcast<u32>(_e1523) & 2147483647u));
-                                                                        let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
-                                                                        let _e1618 = bitcast<f32>((bitcast<u32>(_e1526) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1518 * _e1579) + (_e1523 * _e1580)) + (_e1526 * _e1581)) - _e1547)) & 2147483647u)) <= ((0.0000009536743f * select(_e1484, _e1604, (_e1604 > _e1484))) * select(_e1618, _e1615, (_e1615 > _e1618)))) {
-                                                                            let _e1628 = bitcast<f32>((bitcast<u32>(_e1509.x) & 2147483647u));
-                                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1509.y) & 2147483647u));
-                                                                            let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
-                                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1509.z) & 2147483647u));
-                                                                            let _e1642 = bitcast<f32>((bitcast<u32>(_e1507.x) & 2147483647u));
-                                                                            let _e1645 = bitcast<f32>((bitcast<u32>(_e1507.y) & 2147483647u));
-                                                                            let _e1647 = select(_e1645, _e1642, (_e1642 > _e1645));
-                                                                            let _e1650 = bitcast<f32>((bitcast<u32>(_e1507.z) & 2147483647u));
-                                                                            let _e1654 = (bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u)) > ((0.0000038146973f * select(_e1636, _e1633, (_e1633 > _e1636))) * select(_e1650, _e1647, (_e1647 > _e1650))));
-                                                                            if _e1654 {
-                                                                                phi_2145_ = (_e1547 / _e1552);
+                                                                        let _e1079 = phi_1980_;
+                                                                        let _e1090 = (((_e1061 * (_e1079.x - _e322)) + (_e1066 * (_e1079.y - _e391))) + (_e1069 * (_e1079.z - _e459)));
+                                                                        let _e1095 = (((_e1061 * _e362) + (_e1066 * _e430)) + (_e1069 * _e498));
+                                                                        let _e1096 = (_e1042 - _e1046);
+                                                                        let _e1097 = (_e1040 - _e1044);
+                                                                        let _e1105 = (-(((_e1046 * _e1096) + (_e1044 * _e1097))) / ((_e1096 * _e1096) + (_e1097 * _e1097)));
+                                                                        let _e1107 = select(1f, _e1105, (_e1105 < 1f));
+                                                                        let _e1109 = select(0f, _e1107, (_e1107 > 0f));
+                                                                        let _e1122 = ((_e1048.x + (_e1054.x * _e1109)) - _e322);
+                                                                        let _e1123 = ((_e1048.y + (_e1054.y * _e1109)) - _e391);
+                                                                        let _e1124 = ((_e1048.z + (_e1054.z * _e1109)) - _e459);
+                                                                        let _e1125 = (_e1124 / _e498);
+                                                                        let _e1137 = bitcast<f32>((bitcast<u32>(_e1122) & 2147483647u));
+                                                                        let _e1140 = bitcast<f32>((bitcast<u32>(_e1123) & 2147483647u));
+                                                                        let _e1142 = select(_e1140, _e1137, (_e1137 > _e1140));
+                                                                        let _e1145 = bitcast<f32>((bitcast<u32>(_e1124) & 2147483647u));
+                                                                        let _e1147 = select(_e1145, _e1142, (_e1142 > _e1145));
+                                                                        let _e1153 = bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u));
+                                                                        let _e1156 = bitcast<f32>((bitcast<u32>(_e1066) & 2147483647u));
+                                                                        let _e1158 = select(_e1156, _e1153, (_e1153 > _e1156));
+                                                                        let _e1161 = bitcast<f32>((bitcast<u32>(_e1069) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1061 * _e1122) + (_e1066 * _e1123)) + (_e1069 * _e1124)) - _e1090)) & 2147483647u)) <= ((0.0000009536743f * select(_e1027, _e1147, (_e1147 > _e1027))) * select(_e1161, _e1158, (_e1158 > _e1161)))) {
+                                                                            let _e1171 = bitcast<f32>((bitcast<u32>(_e1052.x) & 2147483647u));
+                                                                            let _e1174 = bitcast<f32>((bitcast<u32>(_e1052.y) & 2147483647u));
+                                                                            let _e1176 = select(_e1174, _e1171, (_e1171 > _e1174));
+                                                                            let _e1179 = bitcast<f32>((bitcast<u32>(_e1052.z) & 2147483647u));
+                                                                            let _e1185 = bitcast<f32>((bitcast<u32>(_e1050.x) & 2147483647u));
+                                                                            let _e1188 = bitcast<f32>((bitcast<u32>(_e1050.y) & 2147483647u));
+                                                                            let _e1190 = select(_e1188, _e1185, (_e1185 > _e1188));
+                                                                            let _e1193 = bitcast<f32>((bitcast<u32>(_e1050.z) & 2147483647u));
+                                                                            let _e1197 = (bitcast<f32>((bitcast<u32>(_e1095) & 2147483647u)) > ((0.0000038146973f * select(_e1179, _e1176, (_e1176 > _e1179))) * select(_e1193, _e1190, (_e1190 > _e1193))));
+                                                                            if _e1197 {
+                                                                                phi_2145_ = (_e1090 / _e1095);
                                                                             } else {
                                                                                 phi_2145_ = f32();
                                                                             }
-                                                                            let _e1657 = phi_2145_;
-                                                                            phi_2147_ = _e1657;
-                                                                            phi_2148_ = select(true, false, _e1654);
+                                                                            let _e1200 = phi_2145_;
+                                                                            phi_2147_ = _e1200;
+                                                                            phi_2148_ = select(true, false, _e1197);
                                                                         } else {
                                                                             phi_2147_ = f32();
                                                                             phi_2148_ = true;
                                                                         }
-                                                                        let _e1660 = phi_2147_;
-                                                                        let _e1662 = phi_2148_;
-                                                                        if _e1662 {
-                                                                            let _e1670 = (((_e1518 * (_e1579 - (_e362 * _e1582))) + (_e1523 * (_e1580 - (_e430 * _e1582)))) / _e1552);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1670) & 2147483647u)) <= _e1484) {
-                                                                                phi_2168_ = (_e1582 + _e1670);
+                                                                        let _e1203 = phi_2147_;
+                                                                        let _e1205 = phi_2148_;
+                                                                        if _e1205 {
+                                                                            let _e1213 = (((_e1061 * (_e1122 - (_e362 * _e1125))) + (_e1066 * (_e1123 - (_e430 * _e1125)))) / _e1095);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u)) <= _e1027) {
+                                                                                phi_2168_ = (_e1125 + _e1213);
                                                                             } else {
-                                                                                phi_2168_ = _e1582;
+                                                                                phi_2168_ = _e1125;
                                                                             }
-                                                                            let _e1677 = phi_2168_;
-                                                                            phi_2169_ = _e1677;
+                                                                            let _e1220 = phi_2168_;
+                                                                            phi_2169_ = _e1220;
                                                                         } else {
-                                                                            phi_2169_ = _e1660;
+                                                                            phi_2169_ = _e1203;
                                                                         }
-                                                                        let _e1679 = phi_2169_;
-                                                                        let _e1681 = select(_e1417, _e1679, (_e1679 < _e1417));
-                                                                        let _e1683 = select(_e1409, _e1681, (_e1681 > _e1409));
-                                                                        if (_e1683 >= _e613) {
-                                                                            let _e1685 = (_e1683 <= _e1168.member);
-                                                                            if _e1685 {
-                                                                                let _e1686 = (1f / _e1336);
-                                                                                phi_2192_ = type_24(_e1683, (_e1330 * _e1686), (_e1334 * _e1686), _e1197);
+                                                                        let _e1222 = phi_2169_;
+                                                                        let _e1224 = select(_e960, _e1222, (_e1222 < _e960));
+                                                                        let _e1226 = select(_e952, _e1224, (_e1224 > _e952));
+                                                                        if (_e1226 >= _e613) {
+                                                                            let _e1228 = (_e1226 <= _e711.member);
+                                                                            if _e1228 {
+                                                                                let _e1229 = (1f / _e879);
+                                                                                phi_2192_ = type_24(_e1226, (_e873 * _e1229), (_e877 * _e1229), _e740);
                                                                             } else {
                                                                                 phi_2192_ = type_24();
                                                                             }
-                                                                            let _e1691 = phi_2192_;
-                                                                            phi_2194_ = _e1691;
-                                                                            phi_2195_ = select(true, false, _e1685);
+                                                                            let _e1234 = phi_2192_;
+                                                                            phi_2194_ = _e1234;
+                                                                            phi_2195_ = select(true, false, _e1228);
                                                                         } else {
                                                                             phi_2194_ = type_24();
                                                                             phi_2195_ = true;
                                                                         }
-                                                                        let _e1694 = phi_2194_;
-                                                                        let _e1696 = phi_2195_;
-                                                                        if _e1696 {
+                                                                        let _e1237 = phi_2194_;
+                                                                        let _e1239 = phi_2195_;
+                                                                        if _e1239 {
                                                                             phi_2199_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2199_ = _e1694;
+                                                                            phi_2199_ = _e1237;
                                                                         }
-                                                                        let _e1698 = phi_2199_;
-                                                                        phi_2200_ = _e1698;
+                                                                        let _e1241 = phi_2199_;
+                                                                        phi_2200_ = _e1241;
                                                                     }
-                                                                    let _e1700 = phi_2200_;
-                                                                    phi_2201_ = _e1700;
-                                                                    phi_2202_ = _e1426;
+                                                                    let _e1243 = phi_2200_;
+                                                                    phi_2201_ = _e1243;
+                                                                    phi_2202_ = _e969;
                                                                 }
-                                                                let _e1702 = phi_2201_;
-                                                                let _e1704 = phi_2202_;
-                                                                phi_2206_ = _e1702;
-                                                                phi_2207_ = _e1704;
+                                                                let _e1245 = phi_2201_;
+                                                                let _e1247 = phi_2202_;
+                                                                phi_2206_ = _e1245;
+                                                                phi_2207_ = _e1247;
                                                             }
-                                                            let _e1706 = phi_2206_;
-                                                            let _e1708 = phi_2207_;
-                                                            phi_2208_ = _e1706;
-                                                            phi_2209_ = _e1361;
-                                                            phi_2210_ = _e1708;
+                                                            let _e1249 = phi_2206_;
+                                                            let _e1251 = phi_2207_;
+                                                            phi_2208_ = _e1249;
+                                                            phi_2209_ = _e904;
+                                                            phi_2210_ = _e1251;
                                                         }
-                                                        let _e1710 = phi_2208_;
-                                                        let _e1712 = phi_2209_;
-                                                        let _e1714 = phi_2210_;
-                                                        phi_2211_ = _e1710;
-                                                        phi_2212_ = _e1712;
-                                                        phi_2213_ = _e1714;
+                                                        let _e1253 = phi_2208_;
+                                                        let _e1255 = phi_2209_;
+                                                        let _e1257 = phi_2210_;
+                                                        phi_2211_ = _e1253;
+                                                        phi_2212_ = _e1255;
+                                                        phi_2213_ = _e1257;
                                                     }
-                                                    let _e1716 = phi_2211_;
-                                                    let _e1718 = phi_2212_;
-                                                    let _e1720 = phi_2213_;
-                                                    phi_2221_ = _e1716;
-                                                    phi_2222_ = select(_e1720, true, _e1718);
+                                                    let _e1259 = phi_2211_;
+                                                    let _e1261 = phi_2212_;
+                                                    let _e1263 = phi_2213_;
+                                                    phi_2221_ = _e1259;
+                                                    phi_2222_ = select(_e1263, true, _e1261);
                                                 } else {
                                                     phi_2221_ = type_24();
                                                     phi_2222_ = true;
                                                 }
-                                                let _e1723 = phi_2221_;
-                                                let _e1725 = phi_2222_;
-                                                if _e1725 {
+                                                let _e1266 = phi_2221_;
+                                                let _e1268 = phi_2222_;
+                                                if _e1268 {
                                                     phi_2226_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2226_ = _e1723;
+                                                    phi_2226_ = _e1266;
                                                 }
-                                                let _e1727 = phi_2226_;
-                                                if (_e1727.member_3 != 4294967295u) {
-                                                    if (_e1197 != 4294967295u) {
-                                                        phi_2237_ = type_38(_e1168.member, true);
+                                                let _e1270 = phi_2226_;
+                                                if (_e1270.member_3 != 4294967295u) {
+                                                    if (_e740 != 4294967295u) {
+                                                        phi_2237_ = type_38(_e711.member, true);
                                                     } else {
-                                                        phi_2237_ = _e1168;
+                                                        phi_2237_ = _e711;
                                                     }
-                                                    let _e1735 = phi_2237_;
-                                                    phi_2238_ = _e1735;
+                                                    let _e1278 = phi_2237_;
+                                                    phi_2238_ = _e1278;
                                                 } else {
-                                                    phi_2238_ = _e1168;
+                                                    phi_2238_ = _e711;
                                                 }
-                                                let _e1737 = phi_2238_;
-                                                phi_1189_ = _e1737;
+                                                let _e1280 = phi_2238_;
+                                                phi_1189_ = _e1280;
                                             } else {
                                                 phi_1189_ = type_38();
                                             }
-                                            let _e1739 = phi_1189_;
+                                            let _e1282 = phi_1189_;
                                             continue;
                                             continuing {
-                                                phi_1188_ = _e1739;
-                                                phi_1191_ = _e1183;
-                                                phi_3718_ = _e655;
-                                                break if !(_e1189);
+                                                phi_1188_ = _e1282;
+                                                phi_1191_ = _e726;
+                                                phi_3721_ = _e655;
+                                                break if !(_e732);
                                             }
                                         }
-                                        let _e1742 = phi_3718_;
-                                        phi_3875_ = _e1742;
-                                        if _e1742 {
+                                        let _e1285 = phi_3721_;
+                                        phi_3878_ = _e1285;
+                                        if _e1285 {
                                             break;
                                         }
-                                        let _e1744 = local_10;
-                                        phi_3879_ = _e1742;
-                                        let _e1916 = local_12;
-                                        phi_3476_ = _e1916;
-                                        phi_3477_ = false;
-                                        phi_3478_ = select(_e698, 0u, _e1744.member_1);
-                                        phi_3479_ = _e700;
+                                        phi_3964_ = _e1285;
+                                        let _e1899 = local_11;
+                                        phi_2239_ = _e1899;
+                                    } else {
+                                        phi_3964_ = _e655;
+                                        phi_2239_ = _e657;
+                                    }
+                                    let _e1287 = phi_3964_;
+                                    let _e1289 = phi_2239_;
+                                    if _e704 {
+                                        phi_3469_ = bool();
+                                        phi_3470_ = u32();
+                                        phi_3471_ = type_49();
                                     } else {
                                         if (_e700.member_1 >= _e88) {
-                                            phi_3011_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3005_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e700.member_1 < _e88) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e711 = (_e258 * 2u);
-                                            let _e713 = ((1u + _e711) % 7u);
-                                            if (_e713 < 7u) {
+                                            let _e1292 = (_e258 * 2u);
+                                            let _e1294 = ((1u + _e1292) % 7u);
+                                            if (_e1294 < 7u) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e718 = global_6.member[_e700.member_1][_e713];
-                                            let _e720 = ((_e711 + 2u) % 7u);
-                                            if (_e720 < 7u) {
+                                            let _e1299 = global_6.member[_e700.member_1][_e1294];
+                                            let _e1301 = ((_e1292 + 2u) % 7u);
+                                            if (_e1301 < 7u) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e725 = global_6.member[_e700.member_1][_e720];
-                                            let _e726 = (_e257 * 2u);
-                                            let _e728 = ((1u + _e726) % 7u);
-                                            if (_e728 < 7u) {
+                                            let _e1306 = global_6.member[_e700.member_1][_e1301];
+                                            let _e1307 = (_e257 * 2u);
+                                            let _e1309 = ((1u + _e1307) % 7u);
+                                            if (_e1309 < 7u) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e733 = global_6.member[_e700.member_1][_e728];
-                                            let _e735 = ((_e726 + 2u) % 7u);
-                                            if (_e735 < 7u) {
+                                            let _e1314 = global_6.member[_e700.member_1][_e1309];
+                                            let _e1316 = ((_e1307 + 2u) % 7u);
+                                            if (_e1316 < 7u) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e740 = global_6.member[_e700.member_1][_e735];
-                                            let _e741 = (_e259 * 2u);
-                                            let _e743 = ((1u + _e741) % 7u);
-                                            if (_e743 < 7u) {
+                                            let _e1321 = global_6.member[_e700.member_1][_e1316];
+                                            let _e1322 = (_e259 * 2u);
+                                            let _e1324 = ((1u + _e1322) % 7u);
+                                            if (_e1324 < 7u) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e748 = global_6.member[_e700.member_1][_e743];
-                                            let _e750 = ((_e741 + 2u) % 7u);
-                                            if (_e750 < 7u) {
+                                            let _e1329 = global_6.member[_e700.member_1][_e1324];
+                                            let _e1331 = ((_e1322 + 2u) % 7u);
+                                            if (_e1331 < 7u) {
                                             } else {
-                                                phi_3875_ = true;
+                                                phi_3878_ = true;
                                                 break;
                                             }
-                                            let _e755 = global_6.member[_e700.member_1][_e750];
-                                            let _e778 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.x - _e700.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e779 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.y - _e700.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e780 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.z - _e700.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e782 = select(_e138, _e778, (_e778 > _e138));
-                                            let _e784 = select(_e138, _e779, (_e779 > _e138));
-                                            let _e786 = select(_e138, _e780, (_e780 > _e138));
-                                            let _e817 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e718 & 2097151u))) - 8388608f) * _e782));
-                                            let _e822 = (bitcast<i32>((_e718 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e825 = bitcast<f32>((_e817 & bitcast<u32>(_e822)));
-                                            let _e826 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 2097151u))) - 8388608f) * _e784));
-                                            let _e831 = (bitcast<i32>((_e733 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e834 = bitcast<f32>((_e826 & bitcast<u32>(_e831)));
-                                            let _e835 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e748 & 2097151u))) - 8388608f) * _e786));
-                                            let _e840 = (bitcast<i32>((_e748 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e843 = bitcast<f32>((_e835 & bitcast<u32>(_e840)));
-                                            let _e847 = bitcast<f32>((_e817 & bitcast<u32>(~(_e822))));
-                                            let _e851 = bitcast<f32>((_e826 & bitcast<u32>(~(_e831))));
-                                            let _e855 = bitcast<f32>((_e835 & bitcast<u32>(~(_e840))));
-                                            let _e856 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 2097151u))) - 8388608f) * _e782));
-                                            let _e861 = (bitcast<i32>((_e725 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e864 = bitcast<f32>((_e856 & bitcast<u32>(_e861)));
-                                            let _e865 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 2097151u))) - 8388608f) * _e784));
-                                            let _e870 = (bitcast<i32>((_e740 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e873 = bitcast<f32>((_e865 & bitcast<u32>(_e870)));
-                                            let _e874 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e755 & 2097151u))) - 8388608f) * _e786));
-                                            let _e879 = (bitcast<i32>((_e755 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e882 = bitcast<f32>((_e874 & bitcast<u32>(_e879)));
-                                            let _e886 = bitcast<f32>((_e856 & bitcast<u32>(~(_e861))));
-                                            let _e890 = bitcast<f32>((_e865 & bitcast<u32>(~(_e870))));
-                                            let _e894 = bitcast<f32>((_e874 & bitcast<u32>(~(_e879))));
-                                            let _e924 = global_6.member[_e700.member_1][0u];
-                                            let _e928 = global_6.member[_e700.member_1][2u];
-                                            let _e932 = global_6.member[_e700.member_1][4u];
-                                            let _e936 = global_6.member[_e700.member_1][6u];
-                                            let _e948 = (((_e928 >> bitcast<u32>(22i)) | ((_e932 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e936 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e949 = (_e924 & 268435455u);
-                                            let _e950 = (_e948 & 268435455u);
-                                            let _e953 = ((_e924 >> bitcast<u32>(28u)) & 7u);
-                                            let _e961 = ((_e924 >> bitcast<u32>(31i)) | (((_e948 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e962 = (_e953 != 0u);
-                                            if (_e953 == 0u) {
-                                                phi_2973_ = _e949;
+                                            let _e1336 = global_6.member[_e700.member_1][_e1331];
+                                            let _e1359 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.x - _e700.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1360 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.y - _e700.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1361 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.z - _e700.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1363 = select(_e138, _e1359, (_e1359 > _e138));
+                                            let _e1365 = select(_e138, _e1360, (_e1360 > _e138));
+                                            let _e1367 = select(_e138, _e1361, (_e1361 > _e138));
+                                            let _e1398 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1299 & 2097151u))) - 8388608f) * _e1363));
+                                            let _e1403 = (bitcast<i32>((_e1299 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1406 = bitcast<f32>((_e1398 & bitcast<u32>(_e1403)));
+                                            let _e1407 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1314 & 2097151u))) - 8388608f) * _e1365));
+                                            let _e1412 = (bitcast<i32>((_e1314 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1415 = bitcast<f32>((_e1407 & bitcast<u32>(_e1412)));
+                                            let _e1416 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1329 & 2097151u))) - 8388608f) * _e1367));
+                                            let _e1421 = (bitcast<i32>((_e1329 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1424 = bitcast<f32>((_e1416 & bitcast<u32>(_e1421)));
+                                            let _e1428 = bitcast<f32>((_e1398 & bitcast<u32>(~(_e1403))));
+                                            let _e1432 = bitcast<f32>((_e1407 & bitcast<u32>(~(_e1412))));
+                                            let _e1436 = bitcast<f32>((_e1416 & bitcast<u32>(~(_e1421))));
+                                            let _e1437 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1306 & 2097151u))) - 8388608f) * _e1363));
+                                            let _e1442 = (bitcast<i32>((_e1306 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1445 = bitcast<f32>((_e1437 & bitcast<u32>(_e1442)));
+                                            let _e1446 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1321 & 2097151u))) - 8388608f) * _e1365));
+                                            let _e1451 = (bitcast<i32>((_e1321 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1454 = bitcast<f32>((_e1446 & bitcast<u32>(_e1451)));
+                                            let _e1455 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1336 & 2097151u))) - 8388608f) * _e1367));
+                                            let _e1460 = (bitcast<i32>((_e1336 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1463 = bitcast<f32>((_e1455 & bitcast<u32>(_e1460)));
+                                            let _e1467 = bitcast<f32>((_e1437 & bitcast<u32>(~(_e1442))));
+                                            let _e1471 = bitcast<f32>((_e1446 & bitcast<u32>(~(_e1451))));
+                                            let _e1475 = bitcast<f32>((_e1455 & bitcast<u32>(~(_e1460))));
+                                            let _e1505 = global_6.member[_e700.member_1][0u];
+                                            let _e1509 = global_6.member[_e700.member_1][2u];
+                                            let _e1513 = global_6.member[_e700.member_1][4u];
+                                            let _e1517 = global_6.member[_e700.member_1][6u];
+                                            let _e1529 = (((_e1509 >> bitcast<u32>(22i)) | ((_e1513 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1517 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1530 = (_e1505 & 268435455u);
+                                            let _e1531 = (_e1529 & 268435455u);
+                                            let _e1534 = ((_e1505 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1542 = ((_e1505 >> bitcast<u32>(31i)) | (((_e1529 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1543 = (_e1534 != 0u);
+                                            if (_e1534 == 0u) {
+                                                phi_2967_ = _e1530;
                                             } else {
-                                                if (_e953 == 7u) {
-                                                    phi_2972_ = 2147483648u;
+                                                if (_e1534 == 7u) {
+                                                    phi_2966_ = 2147483648u;
                                                 } else {
-                                                    phi_2972_ = ((2147483648u | (_e953 << bitcast<u32>(28u))) | (_e950 & 268435455u));
+                                                    phi_2966_ = ((2147483648u | (_e1534 << bitcast<u32>(28u))) | (_e1531 & 268435455u));
                                                 }
-                                                let _e971 = phi_2972_;
-                                                phi_2973_ = _e971;
+                                                let _e1552 = phi_2966_;
+                                                phi_2967_ = _e1552;
                                             }
-                                            let _e973 = phi_2973_;
-                                            if _e962 {
-                                                let _e974 = (_e953 != 7u);
-                                                if _e974 {
-                                                    phi_2983_ = (_e950 + _e953);
+                                            let _e1554 = phi_2967_;
+                                            if _e1543 {
+                                                let _e1555 = (_e1534 != 7u);
+                                                if _e1555 {
+                                                    phi_2977_ = (_e1531 + _e1534);
                                                 } else {
-                                                    phi_2983_ = u32();
+                                                    phi_2977_ = u32();
                                                 }
-                                                let _e977 = phi_2983_;
-                                                phi_2985_ = _e977;
-                                                phi_2986_ = select(true, false, _e974);
+                                                let _e1558 = phi_2977_;
+                                                phi_2979_ = _e1558;
+                                                phi_2980_ = select(true, false, _e1555);
                                             } else {
-                                                phi_2985_ = u32();
-                                                phi_2986_ = true;
+                                                phi_2979_ = u32();
+                                                phi_2980_ = true;
                                             }
-                                            let _e980 = phi_2985_;
-                                            let _e982 = phi_2986_;
-                                            if (_e961 == 0u) {
-                                                phi_3007_ = (_e949 + select(0u, 1u, !(_e962)));
+                                            let _e1561 = phi_2979_;
+                                            let _e1563 = phi_2980_;
+                                            if (_e1542 == 0u) {
+                                                phi_3001_ = (_e1530 + select(0u, 1u, !(_e1543)));
                                             } else {
-                                                if (_e961 == 7u) {
-                                                    phi_3006_ = 2147483648u;
+                                                if (_e1542 == 7u) {
+                                                    phi_3000_ = 2147483648u;
                                                 } else {
-                                                    phi_3006_ = ((2147483648u | (_e961 << bitcast<u32>(28u))) | (select(_e980, _e950, _e982) & 268435455u));
+                                                    phi_3000_ = ((2147483648u | (_e1542 << bitcast<u32>(28u))) | (select(_e1561, _e1531, _e1563) & 268435455u));
                                                 }
-                                                let _e995 = phi_3006_;
-                                                phi_3007_ = _e995;
+                                                let _e1576 = phi_3000_;
+                                                phi_3001_ = _e1576;
                                             }
-                                            let _e997 = phi_3007_;
-                                            phi_3011_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e700.member.member.x + _e825), (_e700.member.member.x + _e847), (_e700.member.member_1.x - _e864), (_e700.member.member_1.x - _e886)), vec4<f32>((_e700.member.member.y + _e834), (_e700.member.member.y + _e851), (_e700.member.member_1.y - _e873), (_e700.member.member_1.y - _e890)), vec4<f32>((_e700.member.member.z + _e843), (_e700.member.member.z + _e855), (_e700.member.member_1.z - _e882), (_e700.member.member_1.z - _e894))), type_49(type_28((_e700.member.member + vec4<f32>(_e825, _e834, _e843, 0f)), (_e700.member.member_1 - vec4<f32>(_e864, _e873, _e882, 0f))), _e973), type_49(type_28((_e700.member.member + vec4<f32>(_e847, _e851, _e855, 0f)), (_e700.member.member_1 - vec4<f32>(_e886, _e890, _e894, 0f))), _e997));
+                                            let _e1578 = phi_3001_;
+                                            phi_3005_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e700.member.member.x + _e1406), (_e700.member.member.x + _e1428), (_e700.member.member_1.x - _e1445), (_e700.member.member_1.x - _e1467)), vec4<f32>((_e700.member.member.y + _e1415), (_e700.member.member.y + _e1432), (_e700.member.member_1.y - _e1454), (_e700.member.member_1.y - _e1471)), vec4<f32>((_e700.member.member.z + _e1424), (_e700.member.member.z + _e1436), (_e700.member.member_1.z - _e1463), (_e700.member.member_1.z - _e1475))), type_49(type_28((_e700.member.member + vec4<f32>(_e1406, _e1415, _e1424, 0f)), (_e700.member.member_1 - vec4<f32>(_e1445, _e1454, _e1463, 0f))), _e1554), type_49(type_28((_e700.member.member + vec4<f32>(_e1428, _e1432, _e1436, 0f)), (_e700.member.member_1 - vec4<f32>(_e1467, _e1471, _e1475, 0f))), _e1578));
                                         }
-                                        let _e1002 = phi_3011_;
-                                        let _e1014 = ((_e1002.member[0].x - _e360) * _e365);
-                                        let _e1015 = ((_e1002.member[0].y - _e360) * _e365);
-                                        let _e1016 = ((_e1002.member[0].z - _e361) * _e365);
-                                        let _e1017 = ((_e1002.member[0].w - _e361) * _e365);
-                                        let _e1027 = ((_e1002.member[1].x - _e428) * _e433);
-                                        let _e1028 = ((_e1002.member[1].y - _e428) * _e433);
-                                        let _e1029 = ((_e1002.member[1].z - _e429) * _e433);
-                                        let _e1030 = ((_e1002.member[1].w - _e429) * _e433);
-                                        let _e1040 = ((_e1002.member[2].x - _e496) * _e501);
-                                        let _e1041 = ((_e1002.member[2].y - _e496) * _e501);
-                                        let _e1042 = ((_e1002.member[2].z - _e497) * _e501);
-                                        let _e1043 = ((_e1002.member[2].w - _e497) * _e501);
-                                        let _e1045 = select(_e1042, _e1040, (_e1040 < _e1042));
-                                        let _e1047 = select(_e1043, _e1041, (_e1041 < _e1043));
-                                        let _e1049 = select(_e1042, _e1040, (_e1040 > _e1042));
-                                        let _e1051 = select(_e1043, _e1041, (_e1041 > _e1043));
-                                        let _e1053 = select(_e1016, _e1014, (_e1014 < _e1016));
-                                        let _e1055 = select(_e1017, _e1015, (_e1015 < _e1017));
-                                        let _e1057 = select(_e1029, _e1027, (_e1027 < _e1029));
-                                        let _e1059 = select(_e1030, _e1028, (_e1028 < _e1030));
-                                        let _e1061 = select(_e1057, _e1053, (_e1053 > _e1057));
-                                        let _e1063 = select(_e1059, _e1055, (_e1055 > _e1059));
-                                        let _e1065 = select(_e1045, _e1061, (_e1061 > _e1045));
-                                        let _e1067 = select(_e1047, _e1063, (_e1063 > _e1047));
-                                        let _e1069 = select(_e1016, _e1014, (_e1014 > _e1016));
-                                        let _e1071 = select(_e1017, _e1015, (_e1015 > _e1017));
-                                        let _e1073 = select(_e1029, _e1027, (_e1027 > _e1029));
-                                        let _e1075 = select(_e1030, _e1028, (_e1028 > _e1030));
-                                        let _e1077 = select(_e1073, _e1069, (_e1069 < _e1073));
-                                        let _e1079 = select(_e1075, _e1071, (_e1071 < _e1075));
-                                        let _e1084 = -(_e1045);
-                                        let _e1085 = -(_e1047);
-                                        let _e1092 = (select(_e1049, _e1077, (_e1077 < _e1049)) + (select(_e1084, _e1049, (_e1049 > _e1084)) * 0.0000019073523f));
-                                        let _e1093 = (select(_e1051, _e1079, (_e1079 < _e1051)) + (select(_e1085, _e1051, (_e1051 > _e1085)) * 0.0000019073523f));
-                                        let _e1095 = select(_e613, _e1065, (_e1065 > _e613));
-                                        let _e1097 = select(_e613, _e1067, (_e1067 > _e613));
-                                        let _e1102 = (_e1095 <= select(_e657.member, _e1092, (_e1092 < _e657.member)));
-                                        let _e1103 = (_e1097 <= select(_e657.member, _e1093, (_e1093 < _e657.member)));
-                                        let _e1104 = (_e1095 <= _e1097);
-                                        if _e1102 {
-                                            if _e1103 {
-                                                if _e1104 {
-                                                    phi_3373_ = _e1002.member_2;
+                                        let _e1583 = phi_3005_;
+                                        let _e1595 = ((_e1583.member[0].x - _e360) * _e365);
+                                        let _e1596 = ((_e1583.member[0].y - _e360) * _e365);
+                                        let _e1597 = ((_e1583.member[0].z - _e361) * _e365);
+                                        let _e1598 = ((_e1583.member[0].w - _e361) * _e365);
+                                        let _e1608 = ((_e1583.member[1].x - _e428) * _e433);
+                                        let _e1609 = ((_e1583.member[1].y - _e428) * _e433);
+                                        let _e1610 = ((_e1583.member[1].z - _e429) * _e433);
+                                        let _e1611 = ((_e1583.member[1].w - _e429) * _e433);
+                                        let _e1621 = ((_e1583.member[2].x - _e496) * _e501);
+                                        let _e1622 = ((_e1583.member[2].y - _e496) * _e501);
+                                        let _e1623 = ((_e1583.member[2].z - _e497) * _e501);
+                                        let _e1624 = ((_e1583.member[2].w - _e497) * _e501);
+                                        let _e1626 = select(_e1623, _e1621, (_e1621 < _e1623));
+                                        let _e1628 = select(_e1624, _e1622, (_e1622 < _e1624));
+                                        let _e1630 = select(_e1623, _e1621, (_e1621 > _e1623));
+                                        let _e1632 = select(_e1624, _e1622, (_e1622 > _e1624));
+                                        let _e1634 = select(_e1597, _e1595, (_e1595 < _e1597));
+                                        let _e1636 = select(_e1598, _e1596, (_e1596 < _e1598));
+                                        let _e1638 = select(_e1610, _e1608, (_e1608 < _e1610));
+                                        let _e1640 = select(_e1611, _e1609, (_e1609 < _e1611));
+                                        let _e1642 = select(_e1638, _e1634, (_e1634 > _e1638));
+                                        let _e1644 = select(_e1640, _e1636, (_e1636 > _e1640));
+                                        let _e1646 = select(_e1626, _e1642, (_e1642 > _e1626));
+                                        let _e1648 = select(_e1628, _e1644, (_e1644 > _e1628));
+                                        let _e1650 = select(_e1597, _e1595, (_e1595 > _e1597));
+                                        let _e1652 = select(_e1598, _e1596, (_e1596 > _e1598));
+                                        let _e1654 = select(_e1610, _e1608, (_e1608 > _e1610));
+                                        let _e1656 = select(_e1611, _e1609, (_e1609 > _e1611));
+                                        let _e1658 = select(_e1654, _e1650, (_e1650 < _e1654));
+                                        let _e1660 = select(_e1656, _e1652, (_e1652 < _e1656));
+                                        let _e1665 = -(_e1626);
+                                        let _e1666 = -(_e1628);
+                                        let _e1673 = (select(_e1630, _e1658, (_e1658 < _e1630)) + (select(_e1665, _e1630, (_e1630 > _e1665)) * 0.0000019073523f));
+                                        let _e1674 = (select(_e1632, _e1660, (_e1660 < _e1632)) + (select(_e1666, _e1632, (_e1632 > _e1666)) * 0.0000019073523f));
+                                        let _e1676 = select(_e613, _e1646, (_e1646 > _e613));
+                                        let _e1678 = select(_e613, _e1648, (_e1648 > _e613));
+                                        let _e1683 = (_e1676 <= select(_e1289.member, _e1673, (_e1673 < _e1289.member)));
+                                        let _e1684 = (_e1678 <= select(_e1289.member, _e1674, (_e1674 < _e1289.member)));
+                                        let _e1685 = (_e1676 <= _e1678);
+                                        if _e1683 {
+                                            if _e1684 {
+                                                if _e1685 {
+                                                    phi_3367_ = _e1583.member_2;
                                                 } else {
-                                                    phi_3373_ = _e1002.member_1;
+                                                    phi_3367_ = _e1583.member_1;
                                                 }
-                                                let _e1108 = phi_3373_;
-                                                let _e1130 = (_e698 % 128u);
-                                                let _e1131 = (_e1130 < 128u);
-                                                if _e1131 {
+                                                let _e1689 = phi_3367_;
+                                                let _e1710 = (_e698 % 128u);
+                                                let _e1711 = (_e1710 < 128u);
+                                                if _e1711 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1130] = _e1108.member_1;
-                                                if _e1131 {
+                                                local_8[_e1710] = _e1689.member_1;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1130] = _e1108.member.member.x;
-                                                if _e1131 {
+                                                local_7[_e1710] = _e1689.member.member.x;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1130] = _e1108.member.member.y;
-                                                if _e1131 {
+                                                local_6[_e1710] = _e1689.member.member.y;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1130] = _e1108.member.member.z;
-                                                if _e1131 {
+                                                local_5[_e1710] = _e1689.member.member.z;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1130] = _e1108.member.member_1.x;
-                                                if _e1131 {
+                                                local_4[_e1710] = _e1689.member.member_1.x;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1130] = _e1108.member.member_1.y;
-                                                if _e1131 {
+                                                local_3[_e1710] = _e1689.member.member_1.y;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1130] = _e1108.member.member_1.z;
-                                                if _e1131 {
+                                                local_2[_e1710] = _e1689.member.member_1.z;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_3875_ = true;
+                                                    phi_3878_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1130] = select(_e1097, _e1095, !(_e1104));
-                                                if _e1104 {
-                                                    phi_3450_ = _e1002.member_1;
+                                                local_9[_e1710] = select(_e1676, _e1678, _e1685);
+                                                if _e1685 {
+                                                    phi_3443_ = _e1583.member_1;
                                                 } else {
-                                                    phi_3450_ = _e1002.member_2;
+                                                    phi_3443_ = _e1583.member_2;
                                                 }
-                                                let _e1144 = phi_3450_;
-                                                phi_3451_ = (_e698 + 1u);
-                                                phi_3452_ = _e1144;
+                                                let _e1724 = phi_3443_;
+                                                phi_3444_ = (_e698 + 1u);
+                                                phi_3445_ = _e1724;
                                             } else {
-                                                phi_3451_ = u32();
-                                                phi_3452_ = type_49();
+                                                phi_3444_ = u32();
+                                                phi_3445_ = type_49();
                                             }
-                                            let _e1146 = phi_3451_;
-                                            let _e1148 = phi_3452_;
-                                            phi_3454_ = _e1146;
-                                            phi_3455_ = _e1148;
-                                            phi_3456_ = select(true, false, _e1103);
+                                            let _e1726 = phi_3444_;
+                                            let _e1728 = phi_3445_;
+                                            phi_3447_ = _e1726;
+                                            phi_3448_ = _e1728;
+                                            phi_3449_ = select(true, false, _e1684);
                                         } else {
-                                            phi_3454_ = u32();
-                                            phi_3455_ = type_49();
-                                            phi_3456_ = true;
+                                            phi_3447_ = u32();
+                                            phi_3448_ = type_49();
+                                            phi_3449_ = true;
                                         }
-                                        let _e1151 = phi_3454_;
-                                        let _e1153 = phi_3455_;
-                                        let _e1155 = phi_3456_;
-                                        if _e1155 {
-                                            if _e1102 {
-                                                phi_3465_ = _e1002.member_1;
+                                        let _e1731 = phi_3447_;
+                                        let _e1733 = phi_3448_;
+                                        let _e1735 = phi_3449_;
+                                        if _e1735 {
+                                            if _e1683 {
+                                                phi_3458_ = _e1583.member_1;
                                             } else {
-                                                phi_3465_ = _e1002.member_2;
+                                                phi_3458_ = _e1583.member_2;
                                             }
-                                            let _e1159 = phi_3465_;
-                                            phi_3470_ = select(_e1103, true, _e1102);
-                                            phi_3472_ = _e1159;
+                                            let _e1739 = phi_3458_;
+                                            phi_3463_ = select(_e1684, true, _e1683);
+                                            phi_3465_ = _e1739;
                                         } else {
-                                            phi_3470_ = _e696;
-                                            phi_3472_ = _e1153;
+                                            phi_3463_ = _e696;
+                                            phi_3465_ = _e1733;
                                         }
-                                        let _e1162 = phi_3470_;
-                                        let _e1164 = phi_3472_;
-                                        phi_3879_ = _e655;
-                                        phi_3476_ = _e657;
-                                        phi_3477_ = _e1162;
-                                        phi_3478_ = select(_e1151, _e698, _e1155);
-                                        phi_3479_ = _e1164;
+                                        let _e1742 = phi_3463_;
+                                        let _e1744 = phi_3465_;
+                                        phi_3469_ = _e1742;
+                                        phi_3470_ = select(_e1731, _e698, _e1735);
+                                        phi_3471_ = _e1744;
                                     }
-                                    let _e1748 = phi_3879_;
-                                    let _e1750 = phi_3476_;
-                                    let _e1752 = phi_3477_;
-                                    let _e1754 = phi_3478_;
-                                    let _e1756 = phi_3479_;
-                                    phi_3878_ = _e1748;
-                                    phi_3480_ = _e1750;
-                                    phi_3481_ = _e1752;
-                                    phi_3482_ = (_e661 - 1u);
-                                    phi_3483_ = _e1754;
-                                    phi_3484_ = _e1756;
+                                    let _e1747 = phi_3469_;
+                                    let _e1749 = phi_3470_;
+                                    let _e1751 = phi_3471_;
+                                    if _e704 {
+                                        phi_3481_ = select(_e698, 0u, _e1289.member_1);
+                                        phi_3482_ = _e700;
+                                    } else {
+                                        phi_3481_ = _e1749;
+                                        phi_3482_ = _e1751;
+                                    }
+                                    let _e1755 = phi_3481_;
+                                    let _e1757 = phi_3482_;
+                                    phi_3881_ = _e1287;
+                                    phi_3483_ = _e1289;
+                                    phi_3484_ = (_e659 - 1u);
+                                    phi_3485_ = select(_e1747, false, _e704);
+                                    phi_3486_ = _e1755;
+                                    phi_3487_ = _e1757;
                                 } else {
-                                    phi_3878_ = _e655;
-                                    phi_3480_ = _e657;
-                                    phi_3481_ = _e696;
-                                    phi_3482_ = _e661;
-                                    phi_3483_ = _e698;
-                                    phi_3484_ = _e700;
+                                    phi_3881_ = _e655;
+                                    phi_3483_ = _e657;
+                                    phi_3484_ = _e659;
+                                    phi_3485_ = _e696;
+                                    phi_3486_ = _e698;
+                                    phi_3487_ = _e700;
                                 }
-                                let _e1758 = phi_3878_;
-                                let _e1760 = phi_3480_;
-                                let _e1762 = phi_3481_;
-                                let _e1764 = phi_3482_;
-                                let _e1766 = phi_3483_;
-                                let _e1768 = phi_3484_;
-                                phi_3877_ = _e1758;
-                                phi_3485_ = _e1760;
-                                phi_3486_ = _e1762;
-                                phi_3487_ = _e1764;
-                                phi_3488_ = _e1766;
-                                phi_3489_ = _e1768;
+                                let _e1760 = phi_3881_;
+                                let _e1762 = phi_3483_;
+                                let _e1764 = phi_3484_;
+                                let _e1766 = phi_3485_;
+                                let _e1768 = phi_3486_;
+                                let _e1770 = phi_3487_;
+                                phi_3880_ = _e1760;
+                                phi_3488_ = _e1762;
+                                phi_3489_ = _e1764;
+                                phi_3490_ = _e1766;
+                                phi_3491_ = _e1768;
+                                phi_3492_ = _e1770;
                             } else {
-                                phi_3877_ = _e655;
-                                phi_3485_ = type_38();
-                                phi_3486_ = bool();
-                                phi_3487_ = u32();
-                                phi_3488_ = u32();
-                                phi_3489_ = type_49();
+                                phi_3880_ = _e655;
+                                phi_3488_ = type_38();
+                                phi_3489_ = u32();
+                                phi_3490_ = bool();
+                                phi_3491_ = u32();
+                                phi_3492_ = type_49();
                             }
-                            let _e1770 = phi_3877_;
-                            let _e1772 = phi_3485_;
-                            let _e1774 = phi_3486_;
-                            let _e1776 = phi_3487_;
-                            let _e1778 = phi_3488_;
-                            let _e1780 = phi_3489_;
-                            phi_3876_ = _e1770;
-                            phi_1063_ = _e1772;
-                            phi_1066_ = _e1774;
-                            phi_1068_ = _e1776;
-                            phi_1070_ = _e1778;
-                            phi_1072_ = _e1780;
-                            phi_3490_ = _e669;
+                            let _e1772 = phi_3880_;
+                            let _e1774 = phi_3488_;
+                            let _e1776 = phi_3489_;
+                            let _e1778 = phi_3490_;
+                            let _e1780 = phi_3491_;
+                            let _e1782 = phi_3492_;
+                            phi_3879_ = _e1772;
+                            phi_1063_ = _e1774;
+                            phi_1066_ = _e1776;
+                            phi_1068_ = _e1778;
+                            phi_1070_ = _e1780;
+                            phi_1072_ = _e1782;
+                            phi_3493_ = _e669;
                         } else {
-                            phi_3876_ = _e655;
+                            phi_3879_ = _e655;
                             phi_1063_ = type_38();
-                            phi_1066_ = bool();
-                            phi_1068_ = u32();
+                            phi_1066_ = u32();
+                            phi_1068_ = bool();
                             phi_1070_ = u32();
                             phi_1072_ = type_49();
-                            phi_3490_ = false;
+                            phi_3493_ = false;
                         }
-                        let _e1782 = phi_3876_;
-                        let _e1784 = phi_1063_;
-                        let _e1786 = phi_1066_;
-                        let _e1788 = phi_1068_;
-                        let _e1790 = phi_1070_;
-                        let _e1792 = phi_1072_;
-                        let _e1794 = phi_3490_;
+                        let _e1784 = phi_3879_;
+                        let _e1786 = phi_1063_;
+                        let _e1788 = phi_1066_;
+                        let _e1790 = phi_1068_;
+                        let _e1792 = phi_1070_;
+                        let _e1794 = phi_1072_;
+                        let _e1796 = phi_3493_;
                         continue;
                         continuing {
-                            phi_3724_ = _e1782;
-                            phi_1062_ = _e1784;
-                            phi_1065_ = _e1786;
-                            phi_1067_ = _e1788;
-                            phi_1069_ = _e1790;
-                            phi_1071_ = _e1792;
-                            phi_3875_ = _e1782;
-                            break if !(_e1794);
+                            phi_3727_ = _e1784;
+                            phi_1062_ = _e1786;
+                            phi_1065_ = _e1788;
+                            phi_1067_ = _e1790;
+                            phi_1069_ = _e1792;
+                            phi_1071_ = _e1794;
+                            phi_3878_ = _e1784;
+                            break if !(_e1796);
                         }
                     }
-                    let _e1797 = phi_3875_;
-                    if _e1797 {
+                    let _e1799 = phi_3878_;
+                    if _e1799 {
                         break;
                     }
-                    let _e1799 = local_11;
+                    let _e1801 = local_10;
                     if _e146 {
                     } else {
                         break;
                     }
-                    global_5.member[_e144] = select(0u, 1u, _e1799.member_1);
+                    global_5.member[_e144] = select(0u, 1u, _e1801.member_1);
                 }
             }
             break;

@@ -118,36 +118,16 @@ fn function_() {
     var phi_982_: u32;
     var phi_990_: f32;
     var phi_991_: f32;
-    var phi_4394_: bool;
+    var phi_4397_: bool;
     var phi_1087_: type_34;
-    var phi_1090_: bool;
-    var phi_1092_: u32;
+    var phi_1090_: u32;
+    var phi_1092_: bool;
     var phi_1094_: u32;
     var phi_1096_: type_45;
     var phi_1107_: bool;
     var phi_1193_: bool;
     var phi_1194_: u32;
     var phi_1195_: type_45;
-    var phi_3398_: u32;
-    var phi_3404_: u32;
-    var phi_3658_: u32;
-    var phi_3659_: u32;
-    var phi_3669_: u32;
-    var phi_3671_: u32;
-    var phi_3672_: bool;
-    var phi_3692_: u32;
-    var phi_3693_: u32;
-    var phi_3697_: type_46;
-    var phi_4059_: type_45;
-    var phi_4136_: type_45;
-    var phi_4137_: u32;
-    var phi_4138_: type_45;
-    var phi_4140_: u32;
-    var phi_4141_: type_45;
-    var phi_4142_: bool;
-    var phi_4151_: type_45;
-    var phi_4156_: bool;
-    var phi_4158_: type_45;
     var phi_1214_: type_34;
     var phi_1217_: type_8;
     var phi_1218_: type_8;
@@ -224,35 +204,56 @@ fn function_() {
     var phi_2888_: type_34;
     var phi_2889_: type_34;
     var phi_1215_: type_34;
-    var phi_4388_: bool;
-    var local_10: type_34;
+    var phi_4391_: bool;
+    var phi_4686_: bool;
+    var phi_2890_: type_34;
+    var phi_3392_: u32;
+    var phi_3398_: u32;
+    var phi_3652_: u32;
+    var phi_3653_: u32;
+    var phi_3663_: u32;
+    var phi_3665_: u32;
+    var phi_3666_: bool;
+    var phi_3686_: u32;
+    var phi_3687_: u32;
+    var phi_3691_: type_46;
+    var phi_4053_: type_45;
+    var phi_4129_: type_45;
+    var phi_4130_: u32;
+    var phi_4131_: type_45;
+    var phi_4133_: u32;
+    var phi_4134_: type_45;
+    var phi_4135_: bool;
+    var phi_4144_: type_45;
+    var phi_4149_: bool;
+    var phi_4151_: type_45;
+    var phi_4155_: bool;
+    var phi_4156_: u32;
+    var phi_4157_: type_45;
+    var phi_4167_: u32;
+    var phi_4168_: type_45;
+    var phi_4598_: bool;
+    var phi_4169_: type_34;
+    var phi_4170_: u32;
+    var phi_4171_: bool;
+    var phi_4172_: u32;
+    var phi_4173_: type_45;
+    var phi_4597_: bool;
+    var phi_4174_: type_34;
+    var phi_4175_: u32;
+    var phi_4176_: bool;
+    var phi_4177_: u32;
+    var phi_4178_: type_45;
     var phi_4596_: bool;
-    var phi_4162_: type_34;
-    var phi_4163_: bool;
-    var phi_4164_: u32;
-    var phi_4165_: type_45;
-    var phi_4595_: bool;
-    var phi_4166_: type_34;
-    var phi_4167_: bool;
-    var phi_4168_: u32;
-    var phi_4169_: u32;
-    var phi_4170_: type_45;
-    var phi_4594_: bool;
-    var phi_4171_: type_34;
-    var phi_4172_: bool;
-    var phi_4173_: u32;
-    var phi_4174_: u32;
-    var phi_4175_: type_45;
-    var phi_4593_: bool;
     var phi_1088_: type_34;
-    var phi_1091_: bool;
-    var phi_1093_: u32;
+    var phi_1091_: u32;
+    var phi_1093_: bool;
     var phi_1095_: u32;
     var phi_1097_: type_45;
-    var phi_4176_: bool;
-    var phi_4592_: bool;
+    var phi_4179_: bool;
+    var phi_4595_: bool;
+    var local_10: type_34;
     var local_11: type_34;
-    var local_12: type_34;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -616,31 +617,31 @@ fn function_() {
                         break;
                     }
                     let _e651 = local[_e635];
-                    phi_4394_ = false;
+                    phi_4397_ = false;
                     phi_1087_ = type_34(_e617, false);
-                    phi_1090_ = (_e619 <= _e617);
-                    phi_1092_ = ((3u * _e93) + 1u);
+                    phi_1090_ = ((3u * _e93) + 1u);
+                    phi_1092_ = (_e619 <= _e617);
                     phi_1094_ = 0u;
                     phi_1096_ = type_45(type_24(vec4<f32>((f32(_e626) * _e144), (f32(_e632) * _e144), (f32(_e638) * _e144), 0f), vec4<f32>((f32(_e643) * _e144), (f32(_e647) * _e144), (f32(_e651) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
                     loop {
-                        let _e661 = phi_4394_;
+                        let _e661 = phi_4397_;
                         let _e663 = phi_1087_;
                         let _e665 = phi_1090_;
                         let _e667 = phi_1092_;
                         let _e669 = phi_1094_;
                         let _e671 = phi_1096_;
-                        local_11 = _e663;
-                        if _e665 {
+                        local_10 = _e663;
+                        if _e667 {
                             phi_1107_ = true;
                         } else {
                             phi_1107_ = (_e669 > 0u);
                         }
                         let _e674 = phi_1107_;
                         if _e674 {
-                            let _e675 = (_e667 > 0u);
+                            let _e675 = (_e665 > 0u);
                             if _e675 {
-                                if _e665 {
-                                    phi_1193_ = _e665;
+                                if _e667 {
+                                    phi_1193_ = _e667;
                                     phi_1194_ = _e669;
                                     phi_1195_ = _e671;
                                 } else {
@@ -649,49 +650,49 @@ fn function_() {
                                     let _e678 = (_e677 < 128u);
                                     if _e678 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e680 = local_7[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e682 = local_6[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e684 = local_5[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e686 = local_4[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e688 = local_3[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e690 = local_2[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e695 = local_8[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4592_ = true;
+                                        phi_4595_ = true;
                                         break;
                                     }
                                     let _e698 = local_9[_e677];
@@ -703,39 +704,39 @@ fn function_() {
                                 let _e704 = phi_1194_;
                                 let _e706 = phi_1195_;
                                 if _e702 {
+                                    let _e710 = ((_e706.member_1 & 2147483648u) != 0u);
                                     let _e711 = (_e706.member_1 & 268435455u);
-                                    if ((_e706.member_1 & 2147483648u) != 0u) {
+                                    if _e710 {
                                         phi_1214_ = _e663;
                                         phi_1217_ = type_8(0u, ((_e706.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1195 = phi_1214_;
-                                            let _e1197 = phi_1217_;
-                                            local_10 = _e1195;
-                                            local_12 = _e1195;
-                                            if (_e1197.member < _e1197.member_1) {
-                                                phi_1218_ = type_8((_e1197.member + 1u), _e1197.member_1);
-                                                phi_1240_ = type_8(1u, _e1197.member);
+                                            let _e718 = phi_1214_;
+                                            let _e720 = phi_1217_;
+                                            local_11 = _e718;
+                                            if (_e720.member < _e720.member_1) {
+                                                phi_1218_ = type_8((_e720.member + 1u), _e720.member_1);
+                                                phi_1240_ = type_8(1u, _e720.member);
                                             } else {
-                                                phi_1218_ = _e1197;
+                                                phi_1218_ = _e720;
                                                 phi_1240_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1210 = phi_1218_;
-                                            let _e1212 = phi_1240_;
-                                            let _e1216 = (bitcast<i32>(_e1212.member) != 0i);
-                                            if _e1216 {
-                                                let _e1221 = (_e706.member.member_1.x - _e706.member.member.x);
-                                                let _e1224 = (_e706.member.member_1.y - _e706.member.member.y);
-                                                let _e1227 = (_e706.member.member_1.z - _e706.member.member.z);
-                                                let _e1229 = select(_e1224, _e1221, (_e1221 > _e1224));
-                                                let _e1231 = select(_e1227, _e1229, (_e1229 > _e1227));
-                                                let _e1233 = (_e1231 < (1024f * _e144));
-                                                if _e1233 {
+                                            let _e733 = phi_1218_;
+                                            let _e735 = phi_1240_;
+                                            let _e739 = (bitcast<i32>(_e735.member) != 0i);
+                                            if _e739 {
+                                                let _e744 = (_e706.member.member_1.x - _e706.member.member.x);
+                                                let _e747 = (_e706.member.member_1.y - _e706.member.member.y);
+                                                let _e750 = (_e706.member.member_1.z - _e706.member.member.z);
+                                                let _e752 = select(_e747, _e744, (_e744 > _e747));
+                                                let _e754 = select(_e750, _e752, (_e752 > _e750));
+                                                let _e756 = (_e754 < (1024f * _e144));
+                                                if _e756 {
                                                     phi_1281_ = 0u;
                                                 } else {
-                                                    phi_1281_ = select(2u, 1u, (_e1231 < (2097152f * _e144)));
+                                                    phi_1281_ = select(2u, 1u, (_e754 < (2097152f * _e144)));
                                                 }
-                                                let _e1238 = phi_1281_;
-                                                switch bitcast<i32>(_e1238) {
+                                                let _e761 = phi_1281_;
+                                                switch bitcast<i32>(_e761) {
                                                     case 0: {
                                                         phi_1287_ = 1u;
                                                         break;
@@ -753,8 +754,8 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1241 = phi_1287_;
-                                                switch bitcast<i32>(_e1238) {
+                                                let _e764 = phi_1287_;
+                                                switch bitcast<i32>(_e761) {
                                                     case 0: {
                                                         phi_1297_ = 1u;
                                                         break;
@@ -772,28 +773,28 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1248 = phi_1297_;
-                                                let _e1250 = ((_e711 + (_e1212.member_1 * ((3u * _e1241) + 1u))) + (3u * _e1248));
-                                                let _e1251 = (_e1250 < _e96);
-                                                if _e1251 {
-                                                    if _e1251 {
+                                                let _e771 = phi_1297_;
+                                                let _e773 = ((_e711 + (_e735.member_1 * ((3u * _e764) + 1u))) + (3u * _e771));
+                                                let _e774 = (_e773 < _e96);
+                                                if _e774 {
+                                                    if _e774 {
                                                     } else {
-                                                        phi_4388_ = true;
+                                                        phi_4391_ = true;
                                                         break;
                                                     }
-                                                    let _e1253 = global_6.member[_e1250];
-                                                    phi_1313_ = _e1253;
+                                                    let _e776 = global_6.member[_e773];
+                                                    phi_1313_ = _e776;
                                                 } else {
                                                     phi_1313_ = 4294967295u;
                                                 }
-                                                let _e1255 = phi_1313_;
-                                                if _e1233 {
+                                                let _e778 = phi_1313_;
+                                                if _e756 {
                                                     phi_1346_ = 0u;
                                                 } else {
-                                                    phi_1346_ = select(2u, 1u, (_e1231 < (2097152f * _e144)));
+                                                    phi_1346_ = select(2u, 1u, (_e754 < (2097152f * _e144)));
                                                 }
-                                                let _e1260 = phi_1346_;
-                                                switch bitcast<i32>(_e1260) {
+                                                let _e783 = phi_1346_;
+                                                switch bitcast<i32>(_e783) {
                                                     case 0: {
                                                         phi_1352_ = 1u;
                                                         break;
@@ -811,331 +812,331 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1263 = phi_1352_;
-                                                let _e1267 = (_e711 + (_e1212.member_1 * ((3u * _e1263) + 1u)));
-                                                switch bitcast<i32>(_e1260) {
+                                                let _e786 = phi_1352_;
+                                                let _e790 = (_e711 + (_e735.member_1 * ((3u * _e786) + 1u)));
+                                                switch bitcast<i32>(_e783) {
                                                     case 0: {
-                                                        let _e1542 = (_e1267 < _e96);
-                                                        if _e1542 {
-                                                            if _e1542 {
+                                                        let _e1065 = (_e790 < _e96);
+                                                        if _e1065 {
+                                                            if _e1065 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1544 = global_6.member[_e1267];
-                                                            phi_1379_ = _e1544;
+                                                            let _e1067 = global_6.member[_e790];
+                                                            phi_1379_ = _e1067;
                                                         } else {
                                                             phi_1379_ = 0u;
                                                         }
-                                                        let _e1546 = phi_1379_;
-                                                        let _e1548 = ((10u * _e264) & 31u);
-                                                        let _e1558 = ((10u * _e263) & 31u);
-                                                        let _e1568 = ((10u * _e265) & 31u);
-                                                        let _e1578 = (_e1267 + 1u);
-                                                        let _e1579 = (_e1578 < _e96);
-                                                        if _e1579 {
-                                                            if _e1579 {
+                                                        let _e1069 = phi_1379_;
+                                                        let _e1071 = ((10u * _e264) & 31u);
+                                                        let _e1081 = ((10u * _e263) & 31u);
+                                                        let _e1091 = ((10u * _e265) & 31u);
+                                                        let _e1101 = (_e790 + 1u);
+                                                        let _e1102 = (_e1101 < _e96);
+                                                        if _e1102 {
+                                                            if _e1102 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1581 = global_6.member[_e1578];
-                                                            phi_1428_ = _e1581;
+                                                            let _e1104 = global_6.member[_e1101];
+                                                            phi_1428_ = _e1104;
                                                         } else {
                                                             phi_1428_ = 0u;
                                                         }
-                                                        let _e1583 = phi_1428_;
-                                                        let _e1609 = (_e1267 + 2u);
-                                                        let _e1610 = (_e1609 < _e96);
-                                                        if _e1610 {
-                                                            if _e1610 {
+                                                        let _e1106 = phi_1428_;
+                                                        let _e1132 = (_e790 + 2u);
+                                                        let _e1133 = (_e1132 < _e96);
+                                                        if _e1133 {
+                                                            if _e1133 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1612 = global_6.member[_e1609];
-                                                            phi_1477_ = _e1612;
+                                                            let _e1135 = global_6.member[_e1132];
+                                                            phi_1477_ = _e1135;
                                                         } else {
                                                             phi_1477_ = 0u;
                                                         }
-                                                        let _e1614 = phi_1477_;
-                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | ((_e1546 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | ((_e1546 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | ((_e1546 >> bitcast<u32>(_e1568)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | ((_e1583 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | ((_e1583 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | ((_e1583 >> bitcast<u32>(_e1568)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | ((_e1614 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | ((_e1614 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | ((_e1614 >> bitcast<u32>(_e1568)) & 1023u))) - 8388608f) * _e144))));
+                                                        let _e1137 = phi_1477_;
+                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | ((_e1069 >> bitcast<u32>(_e1071)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | ((_e1069 >> bitcast<u32>(_e1081)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | ((_e1069 >> bitcast<u32>(_e1091)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | ((_e1106 >> bitcast<u32>(_e1071)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | ((_e1106 >> bitcast<u32>(_e1081)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | ((_e1106 >> bitcast<u32>(_e1091)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | ((_e1137 >> bitcast<u32>(_e1071)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | ((_e1137 >> bitcast<u32>(_e1081)) & 1023u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | ((_e1137 >> bitcast<u32>(_e1091)) & 1023u))) - 8388608f) * _e144))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1356 = (_e1267 < _e96);
-                                                        if _e1356 {
-                                                            if _e1356 {
+                                                        let _e879 = (_e790 < _e96);
+                                                        if _e879 {
+                                                            if _e879 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1358 = global_6.member[_e1267];
-                                                            phi_1526_ = _e1358;
+                                                            let _e881 = global_6.member[_e790];
+                                                            phi_1526_ = _e881;
                                                         } else {
                                                             phi_1526_ = 0u;
                                                         }
-                                                        let _e1360 = phi_1526_;
-                                                        let _e1361 = (_e1267 + 1u);
-                                                        let _e1362 = (_e1361 < _e96);
-                                                        if _e1362 {
-                                                            if _e1362 {
+                                                        let _e883 = phi_1526_;
+                                                        let _e884 = (_e790 + 1u);
+                                                        let _e885 = (_e884 < _e96);
+                                                        if _e885 {
+                                                            if _e885 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1364 = global_6.member[_e1361];
-                                                            phi_1541_ = _e1364;
+                                                            let _e887 = global_6.member[_e884];
+                                                            phi_1541_ = _e887;
                                                         } else {
                                                             phi_1541_ = 0u;
                                                         }
-                                                        let _e1366 = phi_1541_;
-                                                        let _e1367 = (_e264 == 1u);
-                                                        if _e1367 {
-                                                            phi_1551_ = ((_e1360 >> bitcast<u32>(21i)) | (_e1366 << bitcast<u32>(11i)));
+                                                        let _e889 = phi_1541_;
+                                                        let _e890 = (_e264 == 1u);
+                                                        if _e890 {
+                                                            phi_1551_ = ((_e883 >> bitcast<u32>(21i)) | (_e889 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1551_ = (_e1366 >> bitcast<u32>(10i));
+                                                            phi_1551_ = (_e889 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1376 = phi_1551_;
-                                                        let _e1384 = (_e263 == 1u);
-                                                        if _e1384 {
-                                                            phi_1572_ = ((_e1360 >> bitcast<u32>(21i)) | (_e1366 << bitcast<u32>(11i)));
+                                                        let _e899 = phi_1551_;
+                                                        let _e907 = (_e263 == 1u);
+                                                        if _e907 {
+                                                            phi_1572_ = ((_e883 >> bitcast<u32>(21i)) | (_e889 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1572_ = (_e1366 >> bitcast<u32>(10i));
+                                                            phi_1572_ = (_e889 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1393 = phi_1572_;
-                                                        let _e1401 = (_e265 == 1u);
-                                                        if _e1401 {
-                                                            phi_1593_ = ((_e1360 >> bitcast<u32>(21i)) | (_e1366 << bitcast<u32>(11i)));
+                                                        let _e916 = phi_1572_;
+                                                        let _e924 = (_e265 == 1u);
+                                                        if _e924 {
+                                                            phi_1593_ = ((_e883 >> bitcast<u32>(21i)) | (_e889 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1593_ = (_e1366 >> bitcast<u32>(10i));
+                                                            phi_1593_ = (_e889 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1410 = phi_1593_;
-                                                        let _e1419 = (_e1267 + 2u);
-                                                        let _e1420 = (_e1419 < _e96);
-                                                        if _e1420 {
-                                                            if _e1420 {
+                                                        let _e933 = phi_1593_;
+                                                        let _e942 = (_e790 + 2u);
+                                                        let _e943 = (_e942 < _e96);
+                                                        if _e943 {
+                                                            if _e943 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1422 = global_6.member[_e1419];
-                                                            phi_1623_ = _e1422;
+                                                            let _e945 = global_6.member[_e942];
+                                                            phi_1623_ = _e945;
                                                         } else {
                                                             phi_1623_ = 0u;
                                                         }
-                                                        let _e1424 = phi_1623_;
-                                                        let _e1425 = (_e1267 + 3u);
-                                                        let _e1426 = (_e1425 < _e96);
-                                                        if _e1426 {
-                                                            if _e1426 {
+                                                        let _e947 = phi_1623_;
+                                                        let _e948 = (_e790 + 3u);
+                                                        let _e949 = (_e948 < _e96);
+                                                        if _e949 {
+                                                            if _e949 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1428 = global_6.member[_e1425];
-                                                            phi_1638_ = _e1428;
+                                                            let _e951 = global_6.member[_e948];
+                                                            phi_1638_ = _e951;
                                                         } else {
                                                             phi_1638_ = 0u;
                                                         }
-                                                        let _e1430 = phi_1638_;
-                                                        if _e1367 {
-                                                            phi_1648_ = ((_e1424 >> bitcast<u32>(21i)) | (_e1430 << bitcast<u32>(11i)));
+                                                        let _e953 = phi_1638_;
+                                                        if _e890 {
+                                                            phi_1648_ = ((_e947 >> bitcast<u32>(21i)) | (_e953 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1648_ = (_e1430 >> bitcast<u32>(10i));
+                                                            phi_1648_ = (_e953 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1439 = phi_1648_;
-                                                        if _e1384 {
-                                                            phi_1669_ = ((_e1424 >> bitcast<u32>(21i)) | (_e1430 << bitcast<u32>(11i)));
+                                                        let _e962 = phi_1648_;
+                                                        if _e907 {
+                                                            phi_1669_ = ((_e947 >> bitcast<u32>(21i)) | (_e953 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1669_ = (_e1430 >> bitcast<u32>(10i));
+                                                            phi_1669_ = (_e953 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1455 = phi_1669_;
-                                                        if _e1401 {
-                                                            phi_1690_ = ((_e1424 >> bitcast<u32>(21i)) | (_e1430 << bitcast<u32>(11i)));
+                                                        let _e978 = phi_1669_;
+                                                        if _e924 {
+                                                            phi_1690_ = ((_e947 >> bitcast<u32>(21i)) | (_e953 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1690_ = (_e1430 >> bitcast<u32>(10i));
+                                                            phi_1690_ = (_e953 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1471 = phi_1690_;
-                                                        let _e1480 = (_e1267 + 4u);
-                                                        let _e1481 = (_e1480 < _e96);
-                                                        if _e1481 {
-                                                            if _e1481 {
+                                                        let _e994 = phi_1690_;
+                                                        let _e1003 = (_e790 + 4u);
+                                                        let _e1004 = (_e1003 < _e96);
+                                                        if _e1004 {
+                                                            if _e1004 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1483 = global_6.member[_e1480];
-                                                            phi_1720_ = _e1483;
+                                                            let _e1006 = global_6.member[_e1003];
+                                                            phi_1720_ = _e1006;
                                                         } else {
                                                             phi_1720_ = 0u;
                                                         }
-                                                        let _e1485 = phi_1720_;
-                                                        let _e1486 = (_e1267 + 5u);
-                                                        let _e1487 = (_e1486 < _e96);
-                                                        if _e1487 {
-                                                            if _e1487 {
+                                                        let _e1008 = phi_1720_;
+                                                        let _e1009 = (_e790 + 5u);
+                                                        let _e1010 = (_e1009 < _e96);
+                                                        if _e1010 {
+                                                            if _e1010 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1489 = global_6.member[_e1486];
-                                                            phi_1735_ = _e1489;
+                                                            let _e1012 = global_6.member[_e1009];
+                                                            phi_1735_ = _e1012;
                                                         } else {
                                                             phi_1735_ = 0u;
                                                         }
-                                                        let _e1491 = phi_1735_;
-                                                        if _e1367 {
-                                                            phi_1745_ = ((_e1485 >> bitcast<u32>(21i)) | (_e1491 << bitcast<u32>(11i)));
+                                                        let _e1014 = phi_1735_;
+                                                        if _e890 {
+                                                            phi_1745_ = ((_e1008 >> bitcast<u32>(21i)) | (_e1014 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1745_ = (_e1491 >> bitcast<u32>(10i));
+                                                            phi_1745_ = (_e1014 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1500 = phi_1745_;
-                                                        if _e1384 {
-                                                            phi_1766_ = ((_e1485 >> bitcast<u32>(21i)) | (_e1491 << bitcast<u32>(11i)));
+                                                        let _e1023 = phi_1745_;
+                                                        if _e907 {
+                                                            phi_1766_ = ((_e1008 >> bitcast<u32>(21i)) | (_e1014 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1766_ = (_e1491 >> bitcast<u32>(10i));
+                                                            phi_1766_ = (_e1014 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1516 = phi_1766_;
-                                                        if _e1401 {
-                                                            phi_1787_ = ((_e1485 >> bitcast<u32>(21i)) | (_e1491 << bitcast<u32>(11i)));
+                                                        let _e1039 = phi_1766_;
+                                                        if _e924 {
+                                                            phi_1787_ = ((_e1008 >> bitcast<u32>(21i)) | (_e1014 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1787_ = (_e1491 >> bitcast<u32>(10i));
+                                                            phi_1787_ = (_e1014 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1532 = phi_1787_;
-                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1376, _e1360, _e303) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1393, _e1360, _e372) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1410, _e1360, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1439, _e1424, _e303) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1455, _e1424, _e372) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1471, _e1424, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1500, _e1485, _e303) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1516, _e1485, _e372) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1532, _e1485, _e440) & 2097151u))) - 8388608f) * _e144))));
+                                                        let _e1055 = phi_1787_;
+                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | (select(_e899, _e883, _e303) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | (select(_e916, _e883, _e372) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | (select(_e933, _e883, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | (select(_e962, _e947, _e303) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | (select(_e978, _e947, _e372) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | (select(_e994, _e947, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e706.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1023, _e1008, _e303) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1039, _e1008, _e372) & 2097151u))) - 8388608f) * _e144)), (_e706.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1055, _e1008, _e440) & 2097151u))) - 8388608f) * _e144))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1269 = (_e1267 + _e264);
-                                                        let _e1270 = (_e1269 < _e96);
-                                                        if _e1270 {
-                                                            if _e1270 {
+                                                        let _e792 = (_e790 + _e264);
+                                                        let _e793 = (_e792 < _e96);
+                                                        if _e793 {
+                                                            if _e793 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1272 = global_6.member[_e1269];
-                                                            phi_1818_ = _e1272;
+                                                            let _e795 = global_6.member[_e792];
+                                                            phi_1818_ = _e795;
                                                         } else {
                                                             phi_1818_ = 0u;
                                                         }
-                                                        let _e1274 = phi_1818_;
-                                                        let _e1278 = (_e1267 + _e263);
-                                                        let _e1279 = (_e1278 < _e96);
-                                                        if _e1279 {
-                                                            if _e1279 {
+                                                        let _e797 = phi_1818_;
+                                                        let _e801 = (_e790 + _e263);
+                                                        let _e802 = (_e801 < _e96);
+                                                        if _e802 {
+                                                            if _e802 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1281 = global_6.member[_e1278];
-                                                            phi_1836_ = _e1281;
+                                                            let _e804 = global_6.member[_e801];
+                                                            phi_1836_ = _e804;
                                                         } else {
                                                             phi_1836_ = 0u;
                                                         }
-                                                        let _e1283 = phi_1836_;
-                                                        let _e1287 = (_e1267 + _e265);
-                                                        let _e1288 = (_e1287 < _e96);
-                                                        if _e1288 {
-                                                            if _e1288 {
+                                                        let _e806 = phi_1836_;
+                                                        let _e810 = (_e790 + _e265);
+                                                        let _e811 = (_e810 < _e96);
+                                                        if _e811 {
+                                                            if _e811 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1290 = global_6.member[_e1287];
-                                                            phi_1854_ = _e1290;
+                                                            let _e813 = global_6.member[_e810];
+                                                            phi_1854_ = _e813;
                                                         } else {
                                                             phi_1854_ = 0u;
                                                         }
-                                                        let _e1292 = phi_1854_;
-                                                        let _e1297 = (_e1267 + 3u);
-                                                        let _e1298 = (_e1297 + _e264);
-                                                        let _e1299 = (_e1298 < _e96);
-                                                        if _e1299 {
-                                                            if _e1299 {
+                                                        let _e815 = phi_1854_;
+                                                        let _e820 = (_e790 + 3u);
+                                                        let _e821 = (_e820 + _e264);
+                                                        let _e822 = (_e821 < _e96);
+                                                        if _e822 {
+                                                            if _e822 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1301 = global_6.member[_e1298];
-                                                            phi_1877_ = _e1301;
+                                                            let _e824 = global_6.member[_e821];
+                                                            phi_1877_ = _e824;
                                                         } else {
                                                             phi_1877_ = 0u;
                                                         }
-                                                        let _e1303 = phi_1877_;
-                                                        let _e1307 = (_e1297 + _e263);
-                                                        let _e1308 = (_e1307 < _e96);
-                                                        if _e1308 {
-                                                            if _e1308 {
+                                                        let _e826 = phi_1877_;
+                                                        let _e830 = (_e820 + _e263);
+                                                        let _e831 = (_e830 < _e96);
+                                                        if _e831 {
+                                                            if _e831 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1310 = global_6.member[_e1307];
-                                                            phi_1895_ = _e1310;
+                                                            let _e833 = global_6.member[_e830];
+                                                            phi_1895_ = _e833;
                                                         } else {
                                                             phi_1895_ = 0u;
                                                         }
-                                                        let _e1312 = phi_1895_;
-                                                        let _e1316 = (_e1297 + _e265);
-                                                        let _e1317 = (_e1316 < _e96);
-                                                        if _e1317 {
-                                                            if _e1317 {
+                                                        let _e835 = phi_1895_;
+                                                        let _e839 = (_e820 + _e265);
+                                                        let _e840 = (_e839 < _e96);
+                                                        if _e840 {
+                                                            if _e840 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1319 = global_6.member[_e1316];
-                                                            phi_1913_ = _e1319;
+                                                            let _e842 = global_6.member[_e839];
+                                                            phi_1913_ = _e842;
                                                         } else {
                                                             phi_1913_ = 0u;
                                                         }
-                                                        let _e1321 = phi_1913_;
-                                                        let _e1326 = (_e1267 + 6u);
-                                                        let _e1327 = (_e1326 + _e264);
-                                                        let _e1328 = (_e1327 < _e96);
-                                                        if _e1328 {
-                                                            if _e1328 {
+                                                        let _e844 = phi_1913_;
+                                                        let _e849 = (_e790 + 6u);
+                                                        let _e850 = (_e849 + _e264);
+                                                        let _e851 = (_e850 < _e96);
+                                                        if _e851 {
+                                                            if _e851 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1330 = global_6.member[_e1327];
-                                                            phi_1936_ = _e1330;
+                                                            let _e853 = global_6.member[_e850];
+                                                            phi_1936_ = _e853;
                                                         } else {
                                                             phi_1936_ = 0u;
                                                         }
-                                                        let _e1332 = phi_1936_;
-                                                        let _e1336 = (_e1326 + _e263);
-                                                        let _e1337 = (_e1336 < _e96);
-                                                        if _e1337 {
-                                                            if _e1337 {
+                                                        let _e855 = phi_1936_;
+                                                        let _e859 = (_e849 + _e263);
+                                                        let _e860 = (_e859 < _e96);
+                                                        if _e860 {
+                                                            if _e860 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1339 = global_6.member[_e1336];
-                                                            phi_1954_ = _e1339;
+                                                            let _e862 = global_6.member[_e859];
+                                                            phi_1954_ = _e862;
                                                         } else {
                                                             phi_1954_ = 0u;
                                                         }
-                                                        let _e1341 = phi_1954_;
-                                                        let _e1345 = (_e1326 + _e265);
-                                                        let _e1346 = (_e1345 < _e96);
-                                                        if _e1346 {
-                                                            if _e1346 {
+                                                        let _e864 = phi_1954_;
+                                                        let _e868 = (_e849 + _e265);
+                                                        let _e869 = (_e868 < _e96);
+                                                        if _e869 {
+                                                            if _e869 {
                                                             } else {
-                                                                phi_4388_ = true;
+                                                                phi_4391_ = true;
                                                                 break;
                                                             }
-                                                            let _e1348 = global_6.member[_e1345];
-                                                            phi_1972_ = _e1348;
+                                                            let _e871 = global_6.member[_e868];
+                                                            phi_1972_ = _e871;
                                                         } else {
                                                             phi_1972_ = 0u;
                                                         }
-                                                        let _e1350 = phi_1972_;
-                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1274)) * _e144), (f32(bitcast<i32>(_e1283)) * _e144), (f32(bitcast<i32>(_e1292)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1303)) * _e144), (f32(bitcast<i32>(_e1312)) * _e144), (f32(bitcast<i32>(_e1321)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1332)) * _e144), (f32(bitcast<i32>(_e1341)) * _e144), (f32(bitcast<i32>(_e1350)) * _e144)));
+                                                        let _e873 = phi_1972_;
+                                                        phi_1978_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e797)) * _e144), (f32(bitcast<i32>(_e806)) * _e144), (f32(bitcast<i32>(_e815)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e826)) * _e144), (f32(bitcast<i32>(_e835)) * _e144), (f32(bitcast<i32>(_e844)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e855)) * _e144), (f32(bitcast<i32>(_e864)) * _e144), (f32(bitcast<i32>(_e873)) * _e144)));
                                                         break;
                                                     }
                                                     default: {
@@ -1143,736 +1144,747 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1642 = phi_1978_;
-                                                let _e1650 = (_e1642[0][2] - _e465);
-                                                let _e1653 = (((_e1642[0][0] - _e328) * _e504) - (_e1650 * _e368));
-                                                let _e1656 = (((_e1642[0][1] - _e397) * _e504) - (_e1650 * _e436));
-                                                let _e1663 = (_e1642[1][2] - _e465);
-                                                let _e1666 = (((_e1642[1][0] - _e328) * _e504) - (_e1663 * _e368));
-                                                let _e1669 = (((_e1642[1][1] - _e397) * _e504) - (_e1663 * _e436));
-                                                let _e1676 = (_e1642[2][2] - _e465);
-                                                let _e1679 = (((_e1642[2][0] - _e328) * _e504) - (_e1676 * _e368));
-                                                let _e1682 = (((_e1642[2][1] - _e397) * _e504) - (_e1676 * _e436));
-                                                let _e1683 = (_e1679 * _e1669);
-                                                let _e1684 = (_e1682 * _e1666);
-                                                let _e1685 = (_e1653 * _e1682);
-                                                let _e1686 = (_e1656 * _e1679);
-                                                let _e1687 = (_e1666 * _e1656);
-                                                let _e1688 = (_e1669 * _e1653);
-                                                let _e1693 = (((_e1683 >= _e1684) && (_e1685 >= _e1686)) && (_e1687 >= _e1688));
-                                                if (_e1693 || (((_e1683 <= _e1684) && (_e1685 <= _e1686)) && (_e1687 <= _e1688))) {
-                                                    let _e1700 = select(-1f, 1f, _e1693);
-                                                    let _e1702 = ((_e1683 - _e1684) * _e1700);
-                                                    let _e1704 = select(0f, _e1702, (_e1702 > 0f));
-                                                    let _e1706 = ((_e1685 - _e1686) * _e1700);
-                                                    let _e1708 = select(0f, _e1706, (_e1706 > 0f));
-                                                    let _e1710 = ((_e1687 - _e1688) * _e1700);
-                                                    let _e1712 = select(0f, _e1710, (_e1710 > 0f));
-                                                    let _e1714 = ((_e1704 + _e1708) + _e1712);
-                                                    if (_e1714 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e1165 = phi_1978_;
+                                                let _e1173 = (_e1165[0][2] - _e465);
+                                                let _e1176 = (((_e1165[0][0] - _e328) * _e504) - (_e1173 * _e368));
+                                                let _e1179 = (((_e1165[0][1] - _e397) * _e504) - (_e1173 * _e436));
+                                                let _e1186 = (_e1165[1][2] - _e465);
+                                                let _e1189 = (((_e1165[1][0] - _e328) * _e504) - (_e1186 * _e368));
+                                                let _e1192 = (((_e1165[1][1] - _e397) * _e504) - (_e1186 * _e436));
+                                                let _e1199 = (_e1165[2][2] - _e465);
+                                                let _e1202 = (((_e1165[2][0] - _e328) * _e504) - (_e1199 * _e368));
+                                                let _e1205 = (((_e1165[2][1] - _e397) * _e504) - (_e1199 * _e436));
+                                                let _e1206 = (_e1202 * _e1192);
+                                                let _e1207 = (_e1205 * _e1189);
+                                                let _e1208 = (_e1176 * _e1205);
+                                                let _e1209 = (_e1179 * _e1202);
+                                                let _e1210 = (_e1189 * _e1179);
+                                                let _e1211 = (_e1192 * _e1176);
+                                                let _e1216 = (((_e1206 >= _e1207) && (_e1208 >= _e1209)) && (_e1210 >= _e1211));
+                                                if (_e1216 || (((_e1206 <= _e1207) && (_e1208 <= _e1209)) && (_e1210 <= _e1211))) {
+                                                    let _e1223 = select(-1f, 1f, _e1216);
+                                                    let _e1225 = ((_e1206 - _e1207) * _e1223);
+                                                    let _e1227 = select(0f, _e1225, (_e1225 > 0f));
+                                                    let _e1229 = ((_e1208 - _e1209) * _e1223);
+                                                    let _e1231 = select(0f, _e1229, (_e1229 > 0f));
+                                                    let _e1233 = ((_e1210 - _e1211) * _e1223);
+                                                    let _e1235 = select(0f, _e1233, (_e1233 > 0f));
+                                                    let _e1237 = ((_e1227 + _e1231) + _e1235);
+                                                    if (_e1237 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2862_ = type_20();
                                                         phi_2863_ = true;
                                                         phi_2864_ = false;
                                                     } else {
-                                                        let _e1717 = select(_e1666, _e1653, (_e1653 < _e1666));
-                                                        if (select(_e1679, _e1717, (_e1717 < _e1679)) > 0f) {
+                                                        let _e1240 = select(_e1189, _e1176, (_e1176 < _e1189));
+                                                        if (select(_e1202, _e1240, (_e1240 < _e1202)) > 0f) {
                                                             phi_2130_ = true;
                                                         } else {
-                                                            let _e1722 = select(_e1666, _e1653, (_e1653 > _e1666));
-                                                            phi_2130_ = (select(_e1679, _e1722, (_e1722 > _e1679)) < 0f);
+                                                            let _e1245 = select(_e1189, _e1176, (_e1176 > _e1189));
+                                                            phi_2130_ = (select(_e1202, _e1245, (_e1245 > _e1202)) < 0f);
                                                         }
-                                                        let _e1727 = phi_2130_;
-                                                        if _e1727 {
+                                                        let _e1250 = phi_2130_;
+                                                        if _e1250 {
                                                             phi_2859_ = type_20();
                                                             phi_2860_ = true;
                                                             phi_2861_ = false;
                                                         } else {
-                                                            let _e1729 = select(_e1669, _e1656, (_e1656 < _e1669));
-                                                            if (select(_e1682, _e1729, (_e1729 < _e1682)) > 0f) {
+                                                            let _e1252 = select(_e1192, _e1179, (_e1179 < _e1192));
+                                                            if (select(_e1205, _e1252, (_e1252 < _e1205)) > 0f) {
                                                                 phi_2159_ = true;
                                                             } else {
-                                                                let _e1734 = select(_e1669, _e1656, (_e1656 > _e1669));
-                                                                phi_2159_ = (select(_e1682, _e1734, (_e1734 > _e1682)) < 0f);
+                                                                let _e1257 = select(_e1192, _e1179, (_e1179 > _e1192));
+                                                                phi_2159_ = (select(_e1205, _e1257, (_e1257 > _e1205)) < 0f);
                                                             }
-                                                            let _e1739 = phi_2159_;
-                                                            if _e1739 {
+                                                            let _e1262 = phi_2159_;
+                                                            if _e1262 {
                                                                 phi_2857_ = type_20();
                                                                 phi_2858_ = false;
                                                             } else {
-                                                                let _e1741 = select(_e1642[1][0], _e1642[0][0], (_e1642[0][0] < _e1642[1][0]));
-                                                                let _e1745 = select(_e1642[1][0], _e1642[0][0], (_e1642[0][0] > _e1642[1][0]));
-                                                                let _e1749 = select(_e1642[1][1], _e1642[0][1], (_e1642[0][1] < _e1642[1][1]));
-                                                                let _e1753 = select(_e1642[1][1], _e1642[0][1], (_e1642[0][1] > _e1642[1][1]));
-                                                                let _e1757 = select(_e1642[1][2], _e1642[0][2], (_e1642[0][2] < _e1642[1][2]));
-                                                                let _e1761 = select(_e1642[1][2], _e1642[0][2], (_e1642[0][2] > _e1642[1][2]));
-                                                                let _e1766 = ((select(_e1642[2][0], _e1741, (_e1741 < _e1642[2][0])) - _e366) * _e371);
-                                                                let _e1767 = ((select(_e1642[2][0], _e1745, (_e1745 > _e1642[2][0])) - _e367) * _e371);
-                                                                let _e1770 = ((select(_e1642[2][1], _e1749, (_e1749 < _e1642[2][1])) - _e434) * _e439);
-                                                                let _e1771 = ((select(_e1642[2][1], _e1753, (_e1753 > _e1642[2][1])) - _e435) * _e439);
-                                                                let _e1774 = ((select(_e1642[2][2], _e1757, (_e1757 < _e1642[2][2])) - _e502) * _e507);
-                                                                let _e1775 = ((select(_e1642[2][2], _e1761, (_e1761 > _e1642[2][2])) - _e503) * _e507);
-                                                                let _e1777 = select(_e1775, _e1774, (_e1774 < _e1775));
-                                                                let _e1779 = select(_e1775, _e1774, (_e1774 > _e1775));
-                                                                let _e1781 = select(_e1767, _e1766, (_e1766 < _e1767));
-                                                                let _e1783 = select(_e1771, _e1770, (_e1770 < _e1771));
-                                                                let _e1785 = select(_e1783, _e1781, (_e1781 > _e1783));
-                                                                let _e1787 = select(_e1777, _e1785, (_e1785 > _e1777));
-                                                                let _e1789 = select(_e1767, _e1766, (_e1766 > _e1767));
-                                                                let _e1791 = select(_e1771, _e1770, (_e1770 > _e1771));
-                                                                let _e1793 = select(_e1791, _e1789, (_e1789 < _e1791));
-                                                                let _e1795 = select(_e1779, _e1793, (_e1793 < _e1779));
-                                                                let _e1796 = -(_e1777);
-                                                                let _e1802 = select(_e619, _e1787, (_e1787 > _e619));
-                                                                if (_e1802 > (_e1795 + (select(_e1796, _e1779, (_e1779 > _e1796)) * 0.0000019073523f))) {
+                                                                let _e1264 = select(_e1165[1][0], _e1165[0][0], (_e1165[0][0] < _e1165[1][0]));
+                                                                let _e1268 = select(_e1165[1][0], _e1165[0][0], (_e1165[0][0] > _e1165[1][0]));
+                                                                let _e1272 = select(_e1165[1][1], _e1165[0][1], (_e1165[0][1] < _e1165[1][1]));
+                                                                let _e1276 = select(_e1165[1][1], _e1165[0][1], (_e1165[0][1] > _e1165[1][1]));
+                                                                let _e1280 = select(_e1165[1][2], _e1165[0][2], (_e1165[0][2] < _e1165[1][2]));
+                                                                let _e1284 = select(_e1165[1][2], _e1165[0][2], (_e1165[0][2] > _e1165[1][2]));
+                                                                let _e1289 = ((select(_e1165[2][0], _e1264, (_e1264 < _e1165[2][0])) - _e366) * _e371);
+                                                                let _e1290 = ((select(_e1165[2][0], _e1268, (_e1268 > _e1165[2][0])) - _e367) * _e371);
+                                                                let _e1293 = ((select(_e1165[2][1], _e1272, (_e1272 < _e1165[2][1])) - _e434) * _e439);
+                                                                let _e1294 = ((select(_e1165[2][1], _e1276, (_e1276 > _e1165[2][1])) - _e435) * _e439);
+                                                                let _e1297 = ((select(_e1165[2][2], _e1280, (_e1280 < _e1165[2][2])) - _e502) * _e507);
+                                                                let _e1298 = ((select(_e1165[2][2], _e1284, (_e1284 > _e1165[2][2])) - _e503) * _e507);
+                                                                let _e1300 = select(_e1298, _e1297, (_e1297 < _e1298));
+                                                                let _e1302 = select(_e1298, _e1297, (_e1297 > _e1298));
+                                                                let _e1304 = select(_e1290, _e1289, (_e1289 < _e1290));
+                                                                let _e1306 = select(_e1294, _e1293, (_e1293 < _e1294));
+                                                                let _e1308 = select(_e1306, _e1304, (_e1304 > _e1306));
+                                                                let _e1310 = select(_e1300, _e1308, (_e1308 > _e1300));
+                                                                let _e1312 = select(_e1290, _e1289, (_e1289 > _e1290));
+                                                                let _e1314 = select(_e1294, _e1293, (_e1293 > _e1294));
+                                                                let _e1316 = select(_e1314, _e1312, (_e1312 < _e1314));
+                                                                let _e1318 = select(_e1302, _e1316, (_e1316 < _e1302));
+                                                                let _e1319 = -(_e1300);
+                                                                let _e1325 = select(_e619, _e1310, (_e1310 > _e619));
+                                                                if (_e1325 > (_e1318 + (select(_e1319, _e1302, (_e1302 > _e1319)) * 0.0000019073523f))) {
                                                                     phi_2852_ = type_20();
                                                                     phi_2853_ = true;
                                                                 } else {
-                                                                    let _e1804 = (_e1802 > _e1195.member);
-                                                                    if _e1804 {
+                                                                    let _e1327 = (_e1325 > _e718.member);
+                                                                    if _e1327 {
                                                                         phi_2851_ = type_20();
                                                                     } else {
-                                                                        let _e1805 = vec3<f32>(_e1642[0][0], _e1642[0][1], _e1642[0][2]);
-                                                                        let _e1806 = vec3<f32>(_e1642[1][0], _e1642[1][1], _e1642[1][2]);
-                                                                        let _e1807 = vec3<f32>(_e1642[2][0], _e1642[2][1], _e1642[2][2]);
-                                                                        let _e1808 = (_e1642[1][0] - _e1642[0][0]);
-                                                                        let _e1809 = (_e1642[1][1] - _e1642[0][1]);
-                                                                        let _e1810 = (_e1642[1][2] - _e1642[0][2]);
-                                                                        let _e1811 = vec3<f32>(_e1808, _e1809, _e1810);
-                                                                        let _e1812 = (_e1642[2][0] - _e1642[1][0]);
-                                                                        let _e1813 = (_e1642[2][1] - _e1642[1][1]);
-                                                                        let _e1814 = (_e1642[2][2] - _e1642[1][2]);
-                                                                        let _e1815 = vec3<f32>(_e1812, _e1813, _e1814);
-                                                                        let _e1816 = (_e1642[0][0] - _e1642[2][0]);
-                                                                        let _e1817 = (_e1642[0][1] - _e1642[2][1]);
-                                                                        let _e1818 = (_e1642[0][2] - _e1642[2][2]);
-                                                                        let _e1819 = vec3<f32>(_e1816, _e1817, _e1818);
-                                                                        let _e1822 = bitcast<f32>((bitcast<u32>(_e1808) & 2147483647u));
-                                                                        let _e1825 = bitcast<f32>((bitcast<u32>(_e1809) & 2147483647u));
-                                                                        let _e1827 = select(_e1825, _e1822, (_e1822 > _e1825));
-                                                                        let _e1830 = bitcast<f32>((bitcast<u32>(_e1810) & 2147483647u));
-                                                                        let _e1832 = select(_e1830, _e1827, (_e1827 > _e1830));
-                                                                        let _e1835 = bitcast<f32>((bitcast<u32>(_e1812) & 2147483647u));
-                                                                        let _e1838 = bitcast<f32>((bitcast<u32>(_e1813) & 2147483647u));
-                                                                        let _e1840 = select(_e1838, _e1835, (_e1835 > _e1838));
-                                                                        let _e1843 = bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u));
-                                                                        let _e1845 = select(_e1843, _e1840, (_e1840 > _e1843));
-                                                                        let _e1848 = bitcast<f32>((bitcast<u32>(_e1816) & 2147483647u));
-                                                                        let _e1851 = bitcast<f32>((bitcast<u32>(_e1817) & 2147483647u));
-                                                                        let _e1853 = select(_e1851, _e1848, (_e1848 > _e1851));
-                                                                        let _e1856 = bitcast<f32>((bitcast<u32>(_e1818) & 2147483647u));
-                                                                        let _e1858 = select(_e1856, _e1853, (_e1853 > _e1856));
-                                                                        let _e1860 = select(_e1845, _e1832, (_e1832 > _e1845));
-                                                                        let _e1862 = select(_e1858, _e1860, (_e1860 > _e1858));
-                                                                        if (_e1832 == _e1862) {
-                                                                            phi_2578_ = _e1669;
-                                                                            phi_2579_ = _e1666;
-                                                                            phi_2580_ = _e1656;
-                                                                            phi_2581_ = _e1653;
-                                                                            phi_2582_ = _e1805;
-                                                                            phi_2583_ = _e1819;
-                                                                            phi_2584_ = _e1815;
-                                                                            phi_2585_ = _e1811;
+                                                                        let _e1328 = vec3<f32>(_e1165[0][0], _e1165[0][1], _e1165[0][2]);
+                                                                        let _e1329 = vec3<f32>(_e1165[1][0], _e1165[1][1], _e1165[1][2]);
+                                                                        let _e1330 = vec3<f32>(_e1165[2][0], _e1165[2][1], _e1165[2][2]);
+                                                                        let _e1331 = (_e1165[1][0] - _e1165[0][0]);
+                                                                        let _e1332 = (_e1165[1][1] - _e1165[0][1]);
+                                                                        let _e1333 = (_e1165[1][2] - _e1165[0][2]);
+                                                                        let _e1334 = vec3<f32>(_e1331, _e1332, _e1333);
+                                                                        let _e1335 = (_e1165[2][0] - _e1165[1][0]);
+                                                                        let _e1336 = (_e1165[2][1] - _e1165[1][1]);
+                                                                        let _e1337 = (_e1165[2][2] - _e1165[1][2]);
+                                                                        let _e1338 = vec3<f32>(_e1335, _e1336, _e1337);
+                                                                        let _e1339 = (_e1165[0][0] - _e1165[2][0]);
+                                                                        let _e1340 = (_e1165[0][1] - _e1165[2][1]);
+                                                                        let _e1341 = (_e1165[0][2] - _e1165[2][2]);
+                                                                        let _e1342 = vec3<f32>(_e1339, _e1340, _e1341);
+                                                                        let _e1345 = bitcast<f32>((bitcast<u32>(_e1331) & 2147483647u));
+                                                                        let _e1348 = bitcast<f32>((bitcast<u32>(_e1332) & 2147483647u));
+                                                                        let _e1350 = select(_e1348, _e1345, (_e1345 > _e1348));
+                                                                        let _e1353 = bitcast<f32>((bitcast<u32>(_e1333) & 2147483647u));
+                                                                        let _e1355 = select(_e1353, _e1350, (_e1350 > _e1353));
+                                                                        let _e1358 = bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u));
+                                                                        let _e1361 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
+                                                                        let _e1363 = select(_e1361, _e1358, (_e1358 > _e1361));
+                                                                        let _e1366 = bitcast<f32>((bitcast<u32>(_e1337) & 2147483647u));
+                                                                        let _e1368 = select(_e1366, _e1363, (_e1363 > _e1366));
+                                                                        let _e1371 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
+                                                                        let _e1374 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
+                                                                        let _e1376 = select(_e1374, _e1371, (_e1371 > _e1374));
+                                                                        let _e1379 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
+                                                                        let _e1381 = select(_e1379, _e1376, (_e1376 > _e1379));
+                                                                        let _e1383 = select(_e1368, _e1355, (_e1355 > _e1368));
+                                                                        let _e1385 = select(_e1381, _e1383, (_e1383 > _e1381));
+                                                                        if (_e1355 == _e1385) {
+                                                                            phi_2578_ = _e1192;
+                                                                            phi_2579_ = _e1189;
+                                                                            phi_2580_ = _e1179;
+                                                                            phi_2581_ = _e1176;
+                                                                            phi_2582_ = _e1328;
+                                                                            phi_2583_ = _e1342;
+                                                                            phi_2584_ = _e1338;
+                                                                            phi_2585_ = _e1334;
                                                                         } else {
-                                                                            let _e1864 = (_e1845 == _e1862);
-                                                                            let _e1869 = vec3(_e1864);
-                                                                            phi_2578_ = select(_e1656, _e1682, _e1864);
-                                                                            phi_2579_ = select(_e1653, _e1679, _e1864);
-                                                                            phi_2580_ = select(_e1682, _e1669, _e1864);
-                                                                            phi_2581_ = select(_e1679, _e1666, _e1864);
-                                                                            phi_2582_ = select(_e1807, _e1806, _e1869);
-                                                                            phi_2583_ = select(_e1815, _e1811, _e1869);
-                                                                            phi_2584_ = select(_e1811, _e1819, _e1869);
-                                                                            phi_2585_ = select(_e1819, _e1815, _e1869);
+                                                                            let _e1387 = (_e1368 == _e1385);
+                                                                            let _e1392 = vec3(_e1387);
+                                                                            phi_2578_ = select(_e1179, _e1205, _e1387);
+                                                                            phi_2579_ = select(_e1176, _e1202, _e1387);
+                                                                            phi_2580_ = select(_e1205, _e1192, _e1387);
+                                                                            phi_2581_ = select(_e1202, _e1189, _e1387);
+                                                                            phi_2582_ = select(_e1330, _e1329, _e1392);
+                                                                            phi_2583_ = select(_e1338, _e1334, _e1392);
+                                                                            phi_2584_ = select(_e1334, _e1342, _e1392);
+                                                                            phi_2585_ = select(_e1342, _e1338, _e1392);
                                                                         }
-                                                                        let _e1875 = phi_2578_;
-                                                                        let _e1877 = phi_2579_;
-                                                                        let _e1879 = phi_2580_;
-                                                                        let _e1881 = phi_2581_;
-                                                                        let _e1883 = phi_2582_;
-                                                                        let _e1885 = phi_2583_;
-                                                                        let _e1887 = phi_2584_;
-                                                                        let _e1889 = phi_2585_;
-                                                                        let _e1896 = ((_e1887.y * _e1885.z) - (_e1885.y * _e1887.z));
-                                                                        let _e1901 = ((_e1887.z * _e1885.x) - (_e1885.z * _e1887.x));
-                                                                        let _e1904 = ((_e1887.x * _e1885.y) - (_e1885.x * _e1887.y));
-                                                                        if (_e1704 >= _e1708) {
-                                                                            phi_2622_ = select(true, false, (_e1704 >= _e1712));
+                                                                        let _e1398 = phi_2578_;
+                                                                        let _e1400 = phi_2579_;
+                                                                        let _e1402 = phi_2580_;
+                                                                        let _e1404 = phi_2581_;
+                                                                        let _e1406 = phi_2582_;
+                                                                        let _e1408 = phi_2583_;
+                                                                        let _e1410 = phi_2584_;
+                                                                        let _e1412 = phi_2585_;
+                                                                        let _e1419 = ((_e1410.y * _e1408.z) - (_e1408.y * _e1410.z));
+                                                                        let _e1424 = ((_e1410.z * _e1408.x) - (_e1408.z * _e1410.x));
+                                                                        let _e1427 = ((_e1410.x * _e1408.y) - (_e1408.x * _e1410.y));
+                                                                        if (_e1227 >= _e1231) {
+                                                                            phi_2622_ = select(true, false, (_e1227 >= _e1235));
                                                                         } else {
                                                                             phi_2622_ = true;
                                                                         }
-                                                                        let _e1909 = phi_2622_;
-                                                                        if _e1909 {
-                                                                            phi_2631_ = select(_e1807, _e1806, vec3((_e1708 >= _e1712)));
+                                                                        let _e1432 = phi_2622_;
+                                                                        if _e1432 {
+                                                                            phi_2631_ = select(_e1330, _e1329, vec3((_e1231 >= _e1235)));
                                                                         } else {
-                                                                            phi_2631_ = _e1805;
+                                                                            phi_2631_ = _e1328;
                                                                         }
-                                                                        let _e1914 = phi_2631_;
-                                                                        let _e1925 = (((_e1896 * (_e1914.x - _e328)) + (_e1901 * (_e1914.y - _e397))) + (_e1904 * (_e1914.z - _e465)));
-                                                                        let _e1930 = (((_e1896 * _e368) + (_e1901 * _e436)) + (_e1904 * _e504));
-                                                                        let _e1931 = (_e1877 - _e1881);
-                                                                        let _e1932 = (_e1875 - _e1879);
-                                                                        let _e1940 = (-(((_e1881 * _e1931) + (_e1879 * _e1932))) / ((_e1931 * _e1931) + (_e1932 * _e1932)));
-                                                                        let _e1942 = select(1f, _e1940, (_e1940 < 1f));
-                                                                        let _e1944 = select(0f, _e1942, (_e1942 > 0f));
-                                                                        let _e1957 = ((_e1883.x + (_e1889.x * _e1944)) - _e328);
-                                                                        let _e1958 = ((_e1883.y + (_e1889.y * _e1944)) - _e397);
-                                                                        let _e1959 = ((_e1883.z + (_e1889.z * _e1944)) - _e465);
-                                                                        let _e1960 = (_e1959 / _e504);
-                                                                        let _e1972 = bitcast<f32>((bitcast<u32>(_e1957) & 2147483647u));
-                                                                        let _e1975 = bitcast<f32>((bitcast<u32>(_e1958) & 2147483647u));
-                                                                        let _e1977 = select(_e1975, _e1972, (_e1972 > _e1975));
-                                                                        let _e1980 = bitcast<f32>((bitcast<u32>(_e1959) & 2147483647u));
-                                                                        let _e1982 = select(_e1980, _e1977, (_e1977 > _e1980));
-                                                                        let _e1988 = bitcast<f32>((bitcast<u32>(_e1896) & 2147483647u));
-                                                                        let _e1991 = bitcast<f32>((bitcast<u32>(_e1901) & 2147483647u));
-                                                                        let _e1993 = select(_e1991, _e1988, (_e1988 > _e1991));
-                                                                        let _e1996 = bitcast<f32>((bitcast<u32>(_e1904) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1896 * _e1957) + (_e1901 * _e1958)) + (_e1904 * _e1959)) - _e1925)) & 2147483647u)) <= ((0.0000009536743f * select(_e1862, _e1982, (_e1982 > _e1862))) * select(_e1996, _e1993, (_e1993 > _e1996)))) {
-                                                                            let _e2006 = bitcast<f32>((bitcast<u32>(_e1887.x) & 2147483647u));
-                                                                            let _e2009 = bitcast<f32>((bitcast<u32>(_e1887.y) & 2147483647u));
-                                                                            let _e2011 = select(_e2009, _e2006, (_e2006 > _e2009));
-                                                                            let _e2014 = bitcast<f32>((bitcast<u32>(_e1887.z) & 2147483647u));
-                                                                            let _e2020 = bitcast<f32>((bitcast<u32>(_e1885.x) & 2147483647u));
-                                                                            let _e2023 = bitcast<f32>((bitcast<u32>(_e1885.y) & 2147483647u));
-                                                                            let _e2025 = select(_e2023, _e2020, (_e2020 > _e2023));
-                                                                            let _e2028 = bitcast<f32>((bitcast<u32>(_e1885.z) & 2147483647u));
-                                                                            let _e2032 = (bitcast<f32>((bitcast<u32>(_e1930) & 2147483647u)) > ((0.0000038146973f * select(_e2014, _e2011, (_e2011 > _e2014))) * select(_e2028, _e2025, (_e2025 > _e2028))));
-                                                                            if _e2032 {
-                                                                                phi_2796_ = (_e1925 / _e1930);
+                                                                        let _e1437 = phi_2631_;
+                                                                        let _e1448 = (((_e1419 * (_e1437.x - _e328)) + (_e1424 * (_e1437.y - _e397))) + (_e1427 * (_e1437.z - _e465)));
+                                                                        let _e1453 = (((_e1419 * _e368) + (_e1424 * _e436)) + (_e1427 * _e504));
+                                                                        let _e1454 = (_e1400 - _e1404);
+                                                                        let _e1455 = (_e1398 - _e1402);
+                                                                        let _e1463 = (-(((_e1404 * _e1454) + (_e1402 * _e1455))) / ((_e1454 * _e1454) + (_e1455 * _e1455)));
+                                                                        let _e1465 = select(1f, _e1463, (_e1463 < 1f));
+                                                                        let _e1467 = select(0f, _e1465, (_e1465 > 0f));
+                                                                        let _e1480 = ((_e1406.x + (_e1412.x * _e1467)) - _e328);
+                                                                        let _e1481 = ((_e1406.y + (_e1412.y * _e1467)) - _e397);
+                                                                        let _e1482 = ((_e1406.z + (_e1412.z * _e1467)) - _e465);
+                                                                        let _e1483 = (_e1482 / _e504);
+                                                                        let _e1495 = bitcast<f32>((bitcast<u32>(_e1480) & 2147483647u));
+                                                                        let _e1498 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
+                                                                        let _e1500 = select(_e1498, _e1495, (_e1495 > _e1498));
+                                                                        let _e1503 = bitcast<f32>((bitcast<u32>(_e1482) & 2147483647u));
+                                                                        let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
+                                                                        let _e1511 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
+                                                                        let _e1514 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
+                                                                        let _e1516 = select(_e1514, _e1511, (_e1511 > _e1514));
+                                                                        let _e1519 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1419 * _e1480) + (_e1424 * _e1481)) + (_e1427 * _e1482)) - _e1448)) & 2147483647u)) <= ((0.0000009536743f * select(_e1385, _e1505, (_e1505 > _e1385))) * select(_e1519, _e1516, (_e1516 > _e1519)))) {
+                                                                            let _e1529 = bitcast<f32>((bitcast<u32>(_e1410.x) & 2147483647u));
+                                                                            let _e1532 = bitcast<f32>((bitcast<u32>(_e1410.y) & 2147483647u));
+                                                                            let _e1534 = select(_e1532, _e1529, (_e1529 > _e1532));
+                                                                            let _e1537 = bitcast<f32>((bitcast<u32>(_e1410.z) & 2147483647u));
+                                                                            let _e1543 = bitcast<f32>((bitcast<u32>(_e1408.x) & 2147483647u));
+                                                                            let _e1546 = bitcast<f32>((bitcast<u32>(_e1408.y) & 2147483647u));
+                                                                            let _e1548 = select(_e1546, _e1543, (_e1543 > _e1546));
+                                                                            let _e1551 = bitcast<f32>((bitcast<u32>(_e1408.z) & 2147483647u));
+                                                                            let _e1555 = (bitcast<f32>((bitcast<u32>(_e1453) & 2147483647u)) > ((0.0000038146973f * select(_e1537, _e1534, (_e1534 > _e1537))) * select(_e1551, _e1548, (_e1548 > _e1551))));
+                                                                            if _e1555 {
+                                                                                phi_2796_ = (_e1448 / _e1453);
                                                                             } else {
                                                                                 phi_2796_ = f32();
                                                                             }
-                                                                            let _e2035 = phi_2796_;
-                                                                            phi_2798_ = _e2035;
-                                                                            phi_2799_ = select(true, false, _e2032);
+                                                                            let _e1558 = phi_2796_;
+                                                                            phi_2798_ = _e1558;
+                                                                            phi_2799_ = select(true, false, _e1555);
                                                                         } else {
                                                                             phi_2798_ = f32();
                                                                             phi_2799_ = true;
                                                                         }
-                                                                        let _e2038 = phi_2798_;
-                                                                        let _e2040 = phi_2799_;
-                                                                        if _e2040 {
-                                                                            let _e2048 = (((_e1896 * (_e1957 - (_e368 * _e1960))) + (_e1901 * (_e1958 - (_e436 * _e1960)))) / _e1930);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e2048) & 2147483647u)) <= _e1862) {
-                                                                                phi_2819_ = (_e1960 + _e2048);
+                                                                        let _e1561 = phi_2798_;
+                                                                        let _e1563 = phi_2799_;
+                                                                        if _e1563 {
+                                                                            let _e1571 = (((_e1419 * (_e1480 - (_e368 * _e1483))) + (_e1424 * (_e1481 - (_e436 * _e1483)))) / _e1453);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1571) & 2147483647u)) <= _e1385) {
+                                                                                phi_2819_ = (_e1483 + _e1571);
                                                                             } else {
-                                                                                phi_2819_ = _e1960;
+                                                                                phi_2819_ = _e1483;
                                                                             }
-                                                                            let _e2055 = phi_2819_;
-                                                                            phi_2820_ = _e2055;
+                                                                            let _e1578 = phi_2819_;
+                                                                            phi_2820_ = _e1578;
                                                                         } else {
-                                                                            phi_2820_ = _e2038;
+                                                                            phi_2820_ = _e1561;
                                                                         }
-                                                                        let _e2057 = phi_2820_;
-                                                                        let _e2059 = select(_e1795, _e2057, (_e2057 < _e1795));
-                                                                        let _e2061 = select(_e1787, _e2059, (_e2059 > _e1787));
-                                                                        if (_e2061 >= _e619) {
-                                                                            let _e2063 = (_e2061 <= _e1195.member);
-                                                                            if _e2063 {
-                                                                                let _e2064 = (1f / _e1714);
-                                                                                phi_2843_ = type_20(_e2061, (_e1708 * _e2064), (_e1712 * _e2064), _e1255);
+                                                                        let _e1580 = phi_2820_;
+                                                                        let _e1582 = select(_e1318, _e1580, (_e1580 < _e1318));
+                                                                        let _e1584 = select(_e1310, _e1582, (_e1582 > _e1310));
+                                                                        if (_e1584 >= _e619) {
+                                                                            let _e1586 = (_e1584 <= _e718.member);
+                                                                            if _e1586 {
+                                                                                let _e1587 = (1f / _e1237);
+                                                                                phi_2843_ = type_20(_e1584, (_e1231 * _e1587), (_e1235 * _e1587), _e778);
                                                                             } else {
                                                                                 phi_2843_ = type_20();
                                                                             }
-                                                                            let _e2069 = phi_2843_;
-                                                                            phi_2845_ = _e2069;
-                                                                            phi_2846_ = select(true, false, _e2063);
+                                                                            let _e1592 = phi_2843_;
+                                                                            phi_2845_ = _e1592;
+                                                                            phi_2846_ = select(true, false, _e1586);
                                                                         } else {
                                                                             phi_2845_ = type_20();
                                                                             phi_2846_ = true;
                                                                         }
-                                                                        let _e2072 = phi_2845_;
-                                                                        let _e2074 = phi_2846_;
-                                                                        if _e2074 {
+                                                                        let _e1595 = phi_2845_;
+                                                                        let _e1597 = phi_2846_;
+                                                                        if _e1597 {
                                                                             phi_2850_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2850_ = _e2072;
+                                                                            phi_2850_ = _e1595;
                                                                         }
-                                                                        let _e2076 = phi_2850_;
-                                                                        phi_2851_ = _e2076;
+                                                                        let _e1599 = phi_2850_;
+                                                                        phi_2851_ = _e1599;
                                                                     }
-                                                                    let _e2078 = phi_2851_;
-                                                                    phi_2852_ = _e2078;
-                                                                    phi_2853_ = _e1804;
+                                                                    let _e1601 = phi_2851_;
+                                                                    phi_2852_ = _e1601;
+                                                                    phi_2853_ = _e1327;
                                                                 }
-                                                                let _e2080 = phi_2852_;
-                                                                let _e2082 = phi_2853_;
-                                                                phi_2857_ = _e2080;
-                                                                phi_2858_ = _e2082;
+                                                                let _e1603 = phi_2852_;
+                                                                let _e1605 = phi_2853_;
+                                                                phi_2857_ = _e1603;
+                                                                phi_2858_ = _e1605;
                                                             }
-                                                            let _e2084 = phi_2857_;
-                                                            let _e2086 = phi_2858_;
-                                                            phi_2859_ = _e2084;
-                                                            phi_2860_ = _e1739;
-                                                            phi_2861_ = _e2086;
+                                                            let _e1607 = phi_2857_;
+                                                            let _e1609 = phi_2858_;
+                                                            phi_2859_ = _e1607;
+                                                            phi_2860_ = _e1262;
+                                                            phi_2861_ = _e1609;
                                                         }
-                                                        let _e2088 = phi_2859_;
-                                                        let _e2090 = phi_2860_;
-                                                        let _e2092 = phi_2861_;
-                                                        phi_2862_ = _e2088;
-                                                        phi_2863_ = _e2090;
-                                                        phi_2864_ = _e2092;
+                                                        let _e1611 = phi_2859_;
+                                                        let _e1613 = phi_2860_;
+                                                        let _e1615 = phi_2861_;
+                                                        phi_2862_ = _e1611;
+                                                        phi_2863_ = _e1613;
+                                                        phi_2864_ = _e1615;
                                                     }
-                                                    let _e2094 = phi_2862_;
-                                                    let _e2096 = phi_2863_;
-                                                    let _e2098 = phi_2864_;
-                                                    phi_2872_ = _e2094;
-                                                    phi_2873_ = select(_e2098, true, _e2096);
+                                                    let _e1617 = phi_2862_;
+                                                    let _e1619 = phi_2863_;
+                                                    let _e1621 = phi_2864_;
+                                                    phi_2872_ = _e1617;
+                                                    phi_2873_ = select(_e1621, true, _e1619);
                                                 } else {
                                                     phi_2872_ = type_20();
                                                     phi_2873_ = true;
                                                 }
-                                                let _e2101 = phi_2872_;
-                                                let _e2103 = phi_2873_;
-                                                if _e2103 {
+                                                let _e1624 = phi_2872_;
+                                                let _e1626 = phi_2873_;
+                                                if _e1626 {
                                                     phi_2877_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2877_ = _e2101;
+                                                    phi_2877_ = _e1624;
                                                 }
-                                                let _e2105 = phi_2877_;
-                                                if (_e2105.member_3 != 4294967295u) {
-                                                    if (_e1255 != 4294967295u) {
-                                                        phi_2888_ = type_34(_e1195.member, true);
+                                                let _e1628 = phi_2877_;
+                                                if (_e1628.member_3 != 4294967295u) {
+                                                    if (_e778 != 4294967295u) {
+                                                        phi_2888_ = type_34(_e718.member, true);
                                                     } else {
-                                                        phi_2888_ = _e1195;
+                                                        phi_2888_ = _e718;
                                                     }
-                                                    let _e2113 = phi_2888_;
-                                                    phi_2889_ = _e2113;
+                                                    let _e1636 = phi_2888_;
+                                                    phi_2889_ = _e1636;
                                                 } else {
-                                                    phi_2889_ = _e1195;
+                                                    phi_2889_ = _e718;
                                                 }
-                                                let _e2115 = phi_2889_;
-                                                phi_1215_ = _e2115;
+                                                let _e1638 = phi_2889_;
+                                                phi_1215_ = _e1638;
                                             } else {
                                                 phi_1215_ = type_34();
                                             }
-                                            let _e2117 = phi_1215_;
+                                            let _e1640 = phi_1215_;
                                             continue;
                                             continuing {
-                                                phi_1214_ = _e2117;
-                                                phi_1217_ = _e1210;
-                                                phi_4388_ = _e661;
-                                                break if !(_e1216);
+                                                phi_1214_ = _e1640;
+                                                phi_1217_ = _e733;
+                                                phi_4391_ = _e661;
+                                                break if !(_e739);
                                             }
                                         }
-                                        let _e2120 = phi_4388_;
-                                        phi_4592_ = _e2120;
-                                        if _e2120 {
+                                        let _e1643 = phi_4391_;
+                                        phi_4595_ = _e1643;
+                                        if _e1643 {
                                             break;
                                         }
-                                        let _e2122 = local_10;
-                                        phi_4596_ = _e2120;
-                                        let _e2328 = local_12;
-                                        phi_4162_ = _e2328;
-                                        phi_4163_ = false;
-                                        phi_4164_ = select(_e704, 0u, _e2122.member_1);
-                                        phi_4165_ = _e706;
+                                        phi_4686_ = _e1643;
+                                        let _e2309 = local_11;
+                                        phi_2890_ = _e2309;
+                                    } else {
+                                        phi_4686_ = _e661;
+                                        phi_2890_ = _e663;
+                                    }
+                                    let _e1645 = phi_4686_;
+                                    let _e1647 = phi_2890_;
+                                    if _e710 {
+                                        phi_4155_ = bool();
+                                        phi_4156_ = u32();
+                                        phi_4157_ = type_45();
                                     } else {
                                         if (_e706.member_1 >= _e93) {
-                                            phi_3697_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3691_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e706.member_1 < _e93) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e718 = (_e264 * 2u);
-                                            let _e720 = ((1u + _e718) % 7u);
-                                            if (_e720 < 7u) {
+                                            let _e1650 = (_e264 * 2u);
+                                            let _e1652 = ((1u + _e1650) % 7u);
+                                            if (_e1652 < 7u) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e725 = global_5.member[_e706.member_1][_e720];
-                                            let _e727 = ((_e718 + 2u) % 7u);
-                                            if (_e727 < 7u) {
+                                            let _e1657 = global_5.member[_e706.member_1][_e1652];
+                                            let _e1659 = ((_e1650 + 2u) % 7u);
+                                            if (_e1659 < 7u) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e732 = global_5.member[_e706.member_1][_e727];
-                                            let _e733 = (_e263 * 2u);
-                                            let _e735 = ((1u + _e733) % 7u);
-                                            if (_e735 < 7u) {
+                                            let _e1664 = global_5.member[_e706.member_1][_e1659];
+                                            let _e1665 = (_e263 * 2u);
+                                            let _e1667 = ((1u + _e1665) % 7u);
+                                            if (_e1667 < 7u) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e740 = global_5.member[_e706.member_1][_e735];
-                                            let _e742 = ((_e733 + 2u) % 7u);
-                                            if (_e742 < 7u) {
+                                            let _e1672 = global_5.member[_e706.member_1][_e1667];
+                                            let _e1674 = ((_e1665 + 2u) % 7u);
+                                            if (_e1674 < 7u) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e747 = global_5.member[_e706.member_1][_e742];
-                                            let _e748 = (_e265 * 2u);
-                                            let _e750 = ((1u + _e748) % 7u);
-                                            if (_e750 < 7u) {
+                                            let _e1679 = global_5.member[_e706.member_1][_e1674];
+                                            let _e1680 = (_e265 * 2u);
+                                            let _e1682 = ((1u + _e1680) % 7u);
+                                            if (_e1682 < 7u) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e755 = global_5.member[_e706.member_1][_e750];
-                                            let _e757 = ((_e748 + 2u) % 7u);
-                                            if (_e757 < 7u) {
+                                            let _e1687 = global_5.member[_e706.member_1][_e1682];
+                                            let _e1689 = ((_e1680 + 2u) % 7u);
+                                            if (_e1689 < 7u) {
                                             } else {
-                                                phi_4592_ = true;
+                                                phi_4595_ = true;
                                                 break;
                                             }
-                                            let _e762 = global_5.member[_e706.member_1][_e757];
-                                            let _e785 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.x - _e706.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e786 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.y - _e706.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e787 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.z - _e706.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e789 = select(_e144, _e785, (_e785 > _e144));
-                                            let _e791 = select(_e144, _e786, (_e786 > _e144));
-                                            let _e793 = select(_e144, _e787, (_e787 > _e144));
-                                            let _e824 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 2097151u))) - 8388608f) * _e789));
-                                            let _e829 = (bitcast<i32>((_e725 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e832 = bitcast<f32>((_e824 & bitcast<u32>(_e829)));
-                                            let _e833 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 2097151u))) - 8388608f) * _e791));
-                                            let _e838 = (bitcast<i32>((_e740 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e841 = bitcast<f32>((_e833 & bitcast<u32>(_e838)));
-                                            let _e842 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e755 & 2097151u))) - 8388608f) * _e793));
-                                            let _e847 = (bitcast<i32>((_e755 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e850 = bitcast<f32>((_e842 & bitcast<u32>(_e847)));
-                                            let _e854 = bitcast<f32>((_e824 & bitcast<u32>(~(_e829))));
-                                            let _e858 = bitcast<f32>((_e833 & bitcast<u32>(~(_e838))));
-                                            let _e862 = bitcast<f32>((_e842 & bitcast<u32>(~(_e847))));
-                                            let _e863 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e732 & 2097151u))) - 8388608f) * _e789));
-                                            let _e868 = (bitcast<i32>((_e732 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e871 = bitcast<f32>((_e863 & bitcast<u32>(_e868)));
-                                            let _e872 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e747 & 2097151u))) - 8388608f) * _e791));
-                                            let _e877 = (bitcast<i32>((_e747 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e880 = bitcast<f32>((_e872 & bitcast<u32>(_e877)));
-                                            let _e881 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e762 & 2097151u))) - 8388608f) * _e793));
-                                            let _e886 = (bitcast<i32>((_e762 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e889 = bitcast<f32>((_e881 & bitcast<u32>(_e886)));
-                                            let _e893 = bitcast<f32>((_e863 & bitcast<u32>(~(_e868))));
-                                            let _e897 = bitcast<f32>((_e872 & bitcast<u32>(~(_e877))));
-                                            let _e901 = bitcast<f32>((_e881 & bitcast<u32>(~(_e886))));
-                                            let _e902 = (_e706.member.member.x + _e832);
-                                            let _e903 = (_e706.member.member.y + _e841);
-                                            let _e904 = (_e706.member.member.z + _e850);
-                                            let _e907 = (_e706.member.member_1.x - _e871);
-                                            let _e908 = (_e706.member.member_1.y - _e880);
-                                            let _e909 = (_e706.member.member_1.z - _e889);
-                                            let _e928 = (_e907 - _e902);
-                                            let _e929 = (_e908 - _e903);
-                                            let _e930 = (_e909 - _e904);
-                                            let _e932 = select(_e929, _e928, (_e928 > _e929));
-                                            let _e934 = select(_e930, _e932, (_e932 > _e930));
-                                            if (_e934 < (1024f * _e144)) {
-                                                phi_3398_ = 0u;
+                                            let _e1694 = global_5.member[_e706.member_1][_e1689];
+                                            let _e1717 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.x - _e706.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1718 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.y - _e706.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1719 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.z - _e706.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1721 = select(_e144, _e1717, (_e1717 > _e144));
+                                            let _e1723 = select(_e144, _e1718, (_e1718 > _e144));
+                                            let _e1725 = select(_e144, _e1719, (_e1719 > _e144));
+                                            let _e1756 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1657 & 2097151u))) - 8388608f) * _e1721));
+                                            let _e1761 = (bitcast<i32>((_e1657 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1764 = bitcast<f32>((_e1756 & bitcast<u32>(_e1761)));
+                                            let _e1765 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1672 & 2097151u))) - 8388608f) * _e1723));
+                                            let _e1770 = (bitcast<i32>((_e1672 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1773 = bitcast<f32>((_e1765 & bitcast<u32>(_e1770)));
+                                            let _e1774 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1687 & 2097151u))) - 8388608f) * _e1725));
+                                            let _e1779 = (bitcast<i32>((_e1687 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1782 = bitcast<f32>((_e1774 & bitcast<u32>(_e1779)));
+                                            let _e1786 = bitcast<f32>((_e1756 & bitcast<u32>(~(_e1761))));
+                                            let _e1790 = bitcast<f32>((_e1765 & bitcast<u32>(~(_e1770))));
+                                            let _e1794 = bitcast<f32>((_e1774 & bitcast<u32>(~(_e1779))));
+                                            let _e1795 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1664 & 2097151u))) - 8388608f) * _e1721));
+                                            let _e1800 = (bitcast<i32>((_e1664 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1803 = bitcast<f32>((_e1795 & bitcast<u32>(_e1800)));
+                                            let _e1804 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1679 & 2097151u))) - 8388608f) * _e1723));
+                                            let _e1809 = (bitcast<i32>((_e1679 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1812 = bitcast<f32>((_e1804 & bitcast<u32>(_e1809)));
+                                            let _e1813 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1694 & 2097151u))) - 8388608f) * _e1725));
+                                            let _e1818 = (bitcast<i32>((_e1694 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1821 = bitcast<f32>((_e1813 & bitcast<u32>(_e1818)));
+                                            let _e1825 = bitcast<f32>((_e1795 & bitcast<u32>(~(_e1800))));
+                                            let _e1829 = bitcast<f32>((_e1804 & bitcast<u32>(~(_e1809))));
+                                            let _e1833 = bitcast<f32>((_e1813 & bitcast<u32>(~(_e1818))));
+                                            let _e1834 = (_e706.member.member.x + _e1764);
+                                            let _e1835 = (_e706.member.member.y + _e1773);
+                                            let _e1836 = (_e706.member.member.z + _e1782);
+                                            let _e1839 = (_e706.member.member_1.x - _e1803);
+                                            let _e1840 = (_e706.member.member_1.y - _e1812);
+                                            let _e1841 = (_e706.member.member_1.z - _e1821);
+                                            let _e1860 = (_e1839 - _e1834);
+                                            let _e1861 = (_e1840 - _e1835);
+                                            let _e1862 = (_e1841 - _e1836);
+                                            let _e1864 = select(_e1861, _e1860, (_e1860 > _e1861));
+                                            let _e1866 = select(_e1862, _e1864, (_e1864 > _e1862));
+                                            if (_e1866 < (1024f * _e144)) {
+                                                phi_3392_ = 0u;
                                             } else {
-                                                phi_3398_ = select(2u, 1u, (_e934 < (2097152f * _e144)));
+                                                phi_3392_ = select(2u, 1u, (_e1866 < (2097152f * _e144)));
                                             }
-                                            let _e941 = phi_3398_;
-                                            switch bitcast<i32>(_e941) {
+                                            let _e1873 = phi_3392_;
+                                            switch bitcast<i32>(_e1873) {
                                                 case 0: {
-                                                    phi_3404_ = 1u;
+                                                    phi_3398_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3404_ = 2u;
+                                                    phi_3398_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3404_ = 3u;
+                                                    phi_3398_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3404_ = u32();
+                                                    phi_3398_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e944 = phi_3404_;
-                                            let _e950 = global_5.member[_e706.member_1][0u];
-                                            let _e954 = global_5.member[_e706.member_1][2u];
-                                            let _e958 = global_5.member[_e706.member_1][4u];
-                                            let _e962 = global_5.member[_e706.member_1][6u];
-                                            let _e974 = (((_e954 >> bitcast<u32>(22i)) | ((_e958 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e962 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e975 = (_e950 & 268435455u);
-                                            let _e976 = (_e974 & 268435455u);
-                                            let _e979 = ((_e950 >> bitcast<u32>(28u)) & 7u);
-                                            let _e987 = ((_e950 >> bitcast<u32>(31i)) | (((_e974 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e988 = (_e979 != 0u);
-                                            if (_e979 == 0u) {
-                                                phi_3659_ = _e975;
+                                            let _e1876 = phi_3398_;
+                                            let _e1882 = global_5.member[_e706.member_1][0u];
+                                            let _e1886 = global_5.member[_e706.member_1][2u];
+                                            let _e1890 = global_5.member[_e706.member_1][4u];
+                                            let _e1894 = global_5.member[_e706.member_1][6u];
+                                            let _e1906 = (((_e1886 >> bitcast<u32>(22i)) | ((_e1890 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1894 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1907 = (_e1882 & 268435455u);
+                                            let _e1908 = (_e1906 & 268435455u);
+                                            let _e1911 = ((_e1882 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1919 = ((_e1882 >> bitcast<u32>(31i)) | (((_e1906 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1920 = (_e1911 != 0u);
+                                            if (_e1911 == 0u) {
+                                                phi_3653_ = _e1907;
                                             } else {
-                                                if (_e979 == 7u) {
-                                                    phi_3658_ = 2147483648u;
+                                                if (_e1911 == 7u) {
+                                                    phi_3652_ = 2147483648u;
                                                 } else {
-                                                    phi_3658_ = ((2147483648u | (_e979 << bitcast<u32>(28u))) | (_e976 & 268435455u));
+                                                    phi_3652_ = ((2147483648u | (_e1911 << bitcast<u32>(28u))) | (_e1908 & 268435455u));
                                                 }
-                                                let _e997 = phi_3658_;
-                                                phi_3659_ = _e997;
+                                                let _e1929 = phi_3652_;
+                                                phi_3653_ = _e1929;
                                             }
-                                            let _e999 = phi_3659_;
-                                            if _e988 {
-                                                let _e1000 = (_e979 != 7u);
-                                                if _e1000 {
-                                                    phi_3669_ = (_e976 + (_e979 * ((3u * _e944) + 1u)));
+                                            let _e1931 = phi_3653_;
+                                            if _e1920 {
+                                                let _e1932 = (_e1911 != 7u);
+                                                if _e1932 {
+                                                    phi_3663_ = (_e1908 + (_e1911 * ((3u * _e1876) + 1u)));
                                                 } else {
-                                                    phi_3669_ = u32();
+                                                    phi_3663_ = u32();
                                                 }
-                                                let _e1004 = phi_3669_;
-                                                phi_3671_ = _e1004;
-                                                phi_3672_ = select(true, false, _e1000);
+                                                let _e1936 = phi_3663_;
+                                                phi_3665_ = _e1936;
+                                                phi_3666_ = select(true, false, _e1932);
                                             } else {
-                                                phi_3671_ = u32();
-                                                phi_3672_ = true;
+                                                phi_3665_ = u32();
+                                                phi_3666_ = true;
                                             }
-                                            let _e1007 = phi_3671_;
-                                            let _e1009 = phi_3672_;
-                                            if (_e987 == 0u) {
-                                                phi_3693_ = (_e975 + select(0u, 1u, !(_e988)));
+                                            let _e1939 = phi_3665_;
+                                            let _e1941 = phi_3666_;
+                                            if (_e1919 == 0u) {
+                                                phi_3687_ = (_e1907 + select(0u, 1u, !(_e1920)));
                                             } else {
-                                                if (_e987 == 7u) {
-                                                    phi_3692_ = 2147483648u;
+                                                if (_e1919 == 7u) {
+                                                    phi_3686_ = 2147483648u;
                                                 } else {
-                                                    phi_3692_ = ((2147483648u | (_e987 << bitcast<u32>(28u))) | (select(_e1007, _e976, _e1009) & 268435455u));
+                                                    phi_3686_ = ((2147483648u | (_e1919 << bitcast<u32>(28u))) | (select(_e1939, _e1908, _e1941) & 268435455u));
                                                 }
-                                                let _e1022 = phi_3692_;
-                                                phi_3693_ = _e1022;
+                                                let _e1954 = phi_3686_;
+                                                phi_3687_ = _e1954;
                                             }
-                                            let _e1024 = phi_3693_;
-                                            phi_3697_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e902, (_e706.member.member.x + _e854), _e907, (_e706.member.member_1.x - _e893)), vec4<f32>(_e903, (_e706.member.member.y + _e858), _e908, (_e706.member.member_1.y - _e897)), vec4<f32>(_e904, (_e706.member.member.z + _e862), _e909, (_e706.member.member_1.z - _e901))), type_45(type_24((_e706.member.member + vec4<f32>(_e832, _e841, _e850, 0f)), (_e706.member.member_1 - vec4<f32>(_e871, _e880, _e889, 0f))), _e999), type_45(type_24((_e706.member.member + vec4<f32>(_e854, _e858, _e862, 0f)), (_e706.member.member_1 - vec4<f32>(_e893, _e897, _e901, 0f))), _e1024));
+                                            let _e1956 = phi_3687_;
+                                            phi_3691_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e1834, (_e706.member.member.x + _e1786), _e1839, (_e706.member.member_1.x - _e1825)), vec4<f32>(_e1835, (_e706.member.member.y + _e1790), _e1840, (_e706.member.member_1.y - _e1829)), vec4<f32>(_e1836, (_e706.member.member.z + _e1794), _e1841, (_e706.member.member_1.z - _e1833))), type_45(type_24((_e706.member.member + vec4<f32>(_e1764, _e1773, _e1782, 0f)), (_e706.member.member_1 - vec4<f32>(_e1803, _e1812, _e1821, 0f))), _e1931), type_45(type_24((_e706.member.member + vec4<f32>(_e1786, _e1790, _e1794, 0f)), (_e706.member.member_1 - vec4<f32>(_e1825, _e1829, _e1833, 0f))), _e1956));
                                         }
-                                        let _e1029 = phi_3697_;
-                                        let _e1041 = ((_e1029.member[0].x - _e366) * _e371);
-                                        let _e1042 = ((_e1029.member[0].y - _e366) * _e371);
-                                        let _e1043 = ((_e1029.member[0].z - _e367) * _e371);
-                                        let _e1044 = ((_e1029.member[0].w - _e367) * _e371);
-                                        let _e1054 = ((_e1029.member[1].x - _e434) * _e439);
-                                        let _e1055 = ((_e1029.member[1].y - _e434) * _e439);
-                                        let _e1056 = ((_e1029.member[1].z - _e435) * _e439);
-                                        let _e1057 = ((_e1029.member[1].w - _e435) * _e439);
-                                        let _e1067 = ((_e1029.member[2].x - _e502) * _e507);
-                                        let _e1068 = ((_e1029.member[2].y - _e502) * _e507);
-                                        let _e1069 = ((_e1029.member[2].z - _e503) * _e507);
-                                        let _e1070 = ((_e1029.member[2].w - _e503) * _e507);
-                                        let _e1072 = select(_e1069, _e1067, (_e1067 < _e1069));
-                                        let _e1074 = select(_e1070, _e1068, (_e1068 < _e1070));
-                                        let _e1076 = select(_e1069, _e1067, (_e1067 > _e1069));
-                                        let _e1078 = select(_e1070, _e1068, (_e1068 > _e1070));
-                                        let _e1080 = select(_e1043, _e1041, (_e1041 < _e1043));
-                                        let _e1082 = select(_e1044, _e1042, (_e1042 < _e1044));
-                                        let _e1084 = select(_e1056, _e1054, (_e1054 < _e1056));
-                                        let _e1086 = select(_e1057, _e1055, (_e1055 < _e1057));
-                                        let _e1088 = select(_e1084, _e1080, (_e1080 > _e1084));
-                                        let _e1090 = select(_e1086, _e1082, (_e1082 > _e1086));
-                                        let _e1092 = select(_e1072, _e1088, (_e1088 > _e1072));
-                                        let _e1094 = select(_e1074, _e1090, (_e1090 > _e1074));
-                                        let _e1096 = select(_e1043, _e1041, (_e1041 > _e1043));
-                                        let _e1098 = select(_e1044, _e1042, (_e1042 > _e1044));
-                                        let _e1100 = select(_e1056, _e1054, (_e1054 > _e1056));
-                                        let _e1102 = select(_e1057, _e1055, (_e1055 > _e1057));
-                                        let _e1104 = select(_e1100, _e1096, (_e1096 < _e1100));
-                                        let _e1106 = select(_e1102, _e1098, (_e1098 < _e1102));
-                                        let _e1111 = -(_e1072);
-                                        let _e1112 = -(_e1074);
-                                        let _e1119 = (select(_e1076, _e1104, (_e1104 < _e1076)) + (select(_e1111, _e1076, (_e1076 > _e1111)) * 0.0000019073523f));
-                                        let _e1120 = (select(_e1078, _e1106, (_e1106 < _e1078)) + (select(_e1112, _e1078, (_e1078 > _e1112)) * 0.0000019073523f));
-                                        let _e1122 = select(_e619, _e1092, (_e1092 > _e619));
-                                        let _e1124 = select(_e619, _e1094, (_e1094 > _e619));
-                                        let _e1129 = (_e1122 <= select(_e663.member, _e1119, (_e1119 < _e663.member)));
-                                        let _e1130 = (_e1124 <= select(_e663.member, _e1120, (_e1120 < _e663.member)));
-                                        let _e1131 = (_e1122 <= _e1124);
-                                        if _e1129 {
-                                            if _e1130 {
-                                                if _e1131 {
-                                                    phi_4059_ = _e1029.member_2;
+                                        let _e1961 = phi_3691_;
+                                        let _e1973 = ((_e1961.member[0].x - _e366) * _e371);
+                                        let _e1974 = ((_e1961.member[0].y - _e366) * _e371);
+                                        let _e1975 = ((_e1961.member[0].z - _e367) * _e371);
+                                        let _e1976 = ((_e1961.member[0].w - _e367) * _e371);
+                                        let _e1986 = ((_e1961.member[1].x - _e434) * _e439);
+                                        let _e1987 = ((_e1961.member[1].y - _e434) * _e439);
+                                        let _e1988 = ((_e1961.member[1].z - _e435) * _e439);
+                                        let _e1989 = ((_e1961.member[1].w - _e435) * _e439);
+                                        let _e1999 = ((_e1961.member[2].x - _e502) * _e507);
+                                        let _e2000 = ((_e1961.member[2].y - _e502) * _e507);
+                                        let _e2001 = ((_e1961.member[2].z - _e503) * _e507);
+                                        let _e2002 = ((_e1961.member[2].w - _e503) * _e507);
+                                        let _e2004 = select(_e2001, _e1999, (_e1999 < _e2001));
+                                        let _e2006 = select(_e2002, _e2000, (_e2000 < _e2002));
+                                        let _e2008 = select(_e2001, _e1999, (_e1999 > _e2001));
+                                        let _e2010 = select(_e2002, _e2000, (_e2000 > _e2002));
+                                        let _e2012 = select(_e1975, _e1973, (_e1973 < _e1975));
+                                        let _e2014 = select(_e1976, _e1974, (_e1974 < _e1976));
+                                        let _e2016 = select(_e1988, _e1986, (_e1986 < _e1988));
+                                        let _e2018 = select(_e1989, _e1987, (_e1987 < _e1989));
+                                        let _e2020 = select(_e2016, _e2012, (_e2012 > _e2016));
+                                        let _e2022 = select(_e2018, _e2014, (_e2014 > _e2018));
+                                        let _e2024 = select(_e2004, _e2020, (_e2020 > _e2004));
+                                        let _e2026 = select(_e2006, _e2022, (_e2022 > _e2006));
+                                        let _e2028 = select(_e1975, _e1973, (_e1973 > _e1975));
+                                        let _e2030 = select(_e1976, _e1974, (_e1974 > _e1976));
+                                        let _e2032 = select(_e1988, _e1986, (_e1986 > _e1988));
+                                        let _e2034 = select(_e1989, _e1987, (_e1987 > _e1989));
+                                        let _e2036 = select(_e2032, _e2028, (_e2028 < _e2032));
+                                        let _e2038 = select(_e2034, _e2030, (_e2030 < _e2034));
+                                        let _e2043 = -(_e2004);
+                                        let _e2044 = -(_e2006);
+                                        let _e2051 = (select(_e2008, _e2036, (_e2036 < _e2008)) + (select(_e2043, _e2008, (_e2008 > _e2043)) * 0.0000019073523f));
+                                        let _e2052 = (select(_e2010, _e2038, (_e2038 < _e2010)) + (select(_e2044, _e2010, (_e2010 > _e2044)) * 0.0000019073523f));
+                                        let _e2054 = select(_e619, _e2024, (_e2024 > _e619));
+                                        let _e2056 = select(_e619, _e2026, (_e2026 > _e619));
+                                        let _e2061 = (_e2054 <= select(_e1647.member, _e2051, (_e2051 < _e1647.member)));
+                                        let _e2062 = (_e2056 <= select(_e1647.member, _e2052, (_e2052 < _e1647.member)));
+                                        let _e2063 = (_e2054 <= _e2056);
+                                        if _e2061 {
+                                            if _e2062 {
+                                                if _e2063 {
+                                                    phi_4053_ = _e1961.member_2;
                                                 } else {
-                                                    phi_4059_ = _e1029.member_1;
+                                                    phi_4053_ = _e1961.member_1;
                                                 }
-                                                let _e1135 = phi_4059_;
-                                                let _e1157 = (_e704 % 128u);
-                                                let _e1158 = (_e1157 < 128u);
-                                                if _e1158 {
+                                                let _e2067 = phi_4053_;
+                                                let _e2088 = (_e704 % 128u);
+                                                let _e2089 = (_e2088 < 128u);
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1157] = _e1135.member_1;
-                                                if _e1158 {
+                                                local_8[_e2088] = _e2067.member_1;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1157] = _e1135.member.member.x;
-                                                if _e1158 {
+                                                local_7[_e2088] = _e2067.member.member.x;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1157] = _e1135.member.member.y;
-                                                if _e1158 {
+                                                local_6[_e2088] = _e2067.member.member.y;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1157] = _e1135.member.member.z;
-                                                if _e1158 {
+                                                local_5[_e2088] = _e2067.member.member.z;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1157] = _e1135.member.member_1.x;
-                                                if _e1158 {
+                                                local_4[_e2088] = _e2067.member.member_1.x;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1157] = _e1135.member.member_1.y;
-                                                if _e1158 {
+                                                local_3[_e2088] = _e2067.member.member_1.y;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1157] = _e1135.member.member_1.z;
-                                                if _e1158 {
+                                                local_2[_e2088] = _e2067.member.member_1.z;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4592_ = true;
+                                                    phi_4595_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1157] = select(_e1124, _e1122, !(_e1131));
-                                                if _e1131 {
-                                                    phi_4136_ = _e1029.member_1;
+                                                local_9[_e2088] = select(_e2054, _e2056, _e2063);
+                                                if _e2063 {
+                                                    phi_4129_ = _e1961.member_1;
                                                 } else {
-                                                    phi_4136_ = _e1029.member_2;
+                                                    phi_4129_ = _e1961.member_2;
                                                 }
-                                                let _e1171 = phi_4136_;
-                                                phi_4137_ = (_e704 + 1u);
-                                                phi_4138_ = _e1171;
+                                                let _e2102 = phi_4129_;
+                                                phi_4130_ = (_e704 + 1u);
+                                                phi_4131_ = _e2102;
                                             } else {
-                                                phi_4137_ = u32();
-                                                phi_4138_ = type_45();
+                                                phi_4130_ = u32();
+                                                phi_4131_ = type_45();
                                             }
-                                            let _e1173 = phi_4137_;
-                                            let _e1175 = phi_4138_;
-                                            phi_4140_ = _e1173;
-                                            phi_4141_ = _e1175;
-                                            phi_4142_ = select(true, false, _e1130);
+                                            let _e2104 = phi_4130_;
+                                            let _e2106 = phi_4131_;
+                                            phi_4133_ = _e2104;
+                                            phi_4134_ = _e2106;
+                                            phi_4135_ = select(true, false, _e2062);
                                         } else {
-                                            phi_4140_ = u32();
-                                            phi_4141_ = type_45();
-                                            phi_4142_ = true;
+                                            phi_4133_ = u32();
+                                            phi_4134_ = type_45();
+                                            phi_4135_ = true;
                                         }
-                                        let _e1178 = phi_4140_;
-                                        let _e1180 = phi_4141_;
-                                        let _e1182 = phi_4142_;
-                                        if _e1182 {
-                                            if _e1129 {
-                                                phi_4151_ = _e1029.member_1;
+                                        let _e2109 = phi_4133_;
+                                        let _e2111 = phi_4134_;
+                                        let _e2113 = phi_4135_;
+                                        if _e2113 {
+                                            if _e2061 {
+                                                phi_4144_ = _e1961.member_1;
                                             } else {
-                                                phi_4151_ = _e1029.member_2;
+                                                phi_4144_ = _e1961.member_2;
                                             }
-                                            let _e1186 = phi_4151_;
-                                            phi_4156_ = select(_e1130, true, _e1129);
-                                            phi_4158_ = _e1186;
+                                            let _e2117 = phi_4144_;
+                                            phi_4149_ = select(_e2062, true, _e2061);
+                                            phi_4151_ = _e2117;
                                         } else {
-                                            phi_4156_ = _e702;
-                                            phi_4158_ = _e1180;
+                                            phi_4149_ = _e702;
+                                            phi_4151_ = _e2111;
                                         }
-                                        let _e1189 = phi_4156_;
-                                        let _e1191 = phi_4158_;
-                                        phi_4596_ = _e661;
-                                        phi_4162_ = _e663;
-                                        phi_4163_ = _e1189;
-                                        phi_4164_ = select(_e1178, _e704, _e1182);
-                                        phi_4165_ = _e1191;
+                                        let _e2120 = phi_4149_;
+                                        let _e2122 = phi_4151_;
+                                        phi_4155_ = _e2120;
+                                        phi_4156_ = select(_e2109, _e704, _e2113);
+                                        phi_4157_ = _e2122;
                                     }
-                                    let _e2126 = phi_4596_;
-                                    let _e2128 = phi_4162_;
-                                    let _e2130 = phi_4163_;
-                                    let _e2132 = phi_4164_;
-                                    let _e2134 = phi_4165_;
-                                    phi_4595_ = _e2126;
-                                    phi_4166_ = _e2128;
-                                    phi_4167_ = _e2130;
-                                    phi_4168_ = (_e667 - 1u);
-                                    phi_4169_ = _e2132;
-                                    phi_4170_ = _e2134;
+                                    let _e2125 = phi_4155_;
+                                    let _e2127 = phi_4156_;
+                                    let _e2129 = phi_4157_;
+                                    if _e710 {
+                                        phi_4167_ = select(_e704, 0u, _e1647.member_1);
+                                        phi_4168_ = _e706;
+                                    } else {
+                                        phi_4167_ = _e2127;
+                                        phi_4168_ = _e2129;
+                                    }
+                                    let _e2133 = phi_4167_;
+                                    let _e2135 = phi_4168_;
+                                    phi_4598_ = _e1645;
+                                    phi_4169_ = _e1647;
+                                    phi_4170_ = (_e665 - 1u);
+                                    phi_4171_ = select(_e2125, false, _e710);
+                                    phi_4172_ = _e2133;
+                                    phi_4173_ = _e2135;
                                 } else {
-                                    phi_4595_ = _e661;
-                                    phi_4166_ = _e663;
-                                    phi_4167_ = _e702;
-                                    phi_4168_ = _e667;
-                                    phi_4169_ = _e704;
-                                    phi_4170_ = _e706;
+                                    phi_4598_ = _e661;
+                                    phi_4169_ = _e663;
+                                    phi_4170_ = _e665;
+                                    phi_4171_ = _e702;
+                                    phi_4172_ = _e704;
+                                    phi_4173_ = _e706;
                                 }
-                                let _e2136 = phi_4595_;
-                                let _e2138 = phi_4166_;
-                                let _e2140 = phi_4167_;
-                                let _e2142 = phi_4168_;
-                                let _e2144 = phi_4169_;
-                                let _e2146 = phi_4170_;
-                                phi_4594_ = _e2136;
-                                phi_4171_ = _e2138;
-                                phi_4172_ = _e2140;
-                                phi_4173_ = _e2142;
-                                phi_4174_ = _e2144;
-                                phi_4175_ = _e2146;
+                                let _e2138 = phi_4598_;
+                                let _e2140 = phi_4169_;
+                                let _e2142 = phi_4170_;
+                                let _e2144 = phi_4171_;
+                                let _e2146 = phi_4172_;
+                                let _e2148 = phi_4173_;
+                                phi_4597_ = _e2138;
+                                phi_4174_ = _e2140;
+                                phi_4175_ = _e2142;
+                                phi_4176_ = _e2144;
+                                phi_4177_ = _e2146;
+                                phi_4178_ = _e2148;
                             } else {
-                                phi_4594_ = _e661;
-                                phi_4171_ = type_34();
-                                phi_4172_ = bool();
-                                phi_4173_ = u32();
-                                phi_4174_ = u32();
-                                phi_4175_ = type_45();
+                                phi_4597_ = _e661;
+                                phi_4174_ = type_34();
+                                phi_4175_ = u32();
+                                phi_4176_ = bool();
+                                phi_4177_ = u32();
+                                phi_4178_ = type_45();
                             }
-                            let _e2148 = phi_4594_;
-                            let _e2150 = phi_4171_;
-                            let _e2152 = phi_4172_;
-                            let _e2154 = phi_4173_;
-                            let _e2156 = phi_4174_;
-                            let _e2158 = phi_4175_;
-                            phi_4593_ = _e2148;
-                            phi_1088_ = _e2150;
-                            phi_1091_ = _e2152;
-                            phi_1093_ = _e2154;
-                            phi_1095_ = _e2156;
-                            phi_1097_ = _e2158;
-                            phi_4176_ = _e675;
+                            let _e2150 = phi_4597_;
+                            let _e2152 = phi_4174_;
+                            let _e2154 = phi_4175_;
+                            let _e2156 = phi_4176_;
+                            let _e2158 = phi_4177_;
+                            let _e2160 = phi_4178_;
+                            phi_4596_ = _e2150;
+                            phi_1088_ = _e2152;
+                            phi_1091_ = _e2154;
+                            phi_1093_ = _e2156;
+                            phi_1095_ = _e2158;
+                            phi_1097_ = _e2160;
+                            phi_4179_ = _e675;
                         } else {
-                            phi_4593_ = _e661;
+                            phi_4596_ = _e661;
                             phi_1088_ = type_34();
-                            phi_1091_ = bool();
-                            phi_1093_ = u32();
+                            phi_1091_ = u32();
+                            phi_1093_ = bool();
                             phi_1095_ = u32();
                             phi_1097_ = type_45();
-                            phi_4176_ = false;
+                            phi_4179_ = false;
                         }
-                        let _e2160 = phi_4593_;
-                        let _e2162 = phi_1088_;
-                        let _e2164 = phi_1091_;
-                        let _e2166 = phi_1093_;
-                        let _e2168 = phi_1095_;
-                        let _e2170 = phi_1097_;
-                        let _e2172 = phi_4176_;
+                        let _e2162 = phi_4596_;
+                        let _e2164 = phi_1088_;
+                        let _e2166 = phi_1091_;
+                        let _e2168 = phi_1093_;
+                        let _e2170 = phi_1095_;
+                        let _e2172 = phi_1097_;
+                        let _e2174 = phi_4179_;
                         continue;
                         continuing {
-                            phi_4394_ = _e2160;
-                            phi_1087_ = _e2162;
-                            phi_1090_ = _e2164;
-                            phi_1092_ = _e2166;
-                            phi_1094_ = _e2168;
-                            phi_1096_ = _e2170;
-                            phi_4592_ = _e2160;
-                            break if !(_e2172);
+                            phi_4397_ = _e2162;
+                            phi_1087_ = _e2164;
+                            phi_1090_ = _e2166;
+                            phi_1092_ = _e2168;
+                            phi_1094_ = _e2170;
+                            phi_1096_ = _e2172;
+                            phi_4595_ = _e2162;
+                            break if !(_e2174);
                         }
                     }
-                    let _e2175 = phi_4592_;
-                    if _e2175 {
+                    let _e2177 = phi_4595_;
+                    if _e2177 {
                         break;
                     }
-                    let _e2177 = local_11;
+                    let _e2179 = local_10;
                     if _e152 {
                     } else {
                         break;
                     }
-                    global_4.member[_e150] = select(0u, 1u, _e2177.member_1);
+                    global_4.member[_e150] = select(0u, 1u, _e2179.member_1);
                 }
             }
             break;

@@ -111,27 +111,16 @@ fn function_() {
     var phi_948_: u32;
     var phi_956_: f32;
     var phi_957_: f32;
-    var phi_2790_: bool;
+    var phi_2794_: bool;
     var phi_972_: type_40;
-    var phi_975_: bool;
-    var phi_977_: u32;
+    var phi_975_: u32;
+    var phi_977_: bool;
     var phi_979_: u32;
     var phi_981_: u32;
     var phi_992_: bool;
     var phi_1024_: bool;
     var phi_1025_: u32;
     var phi_1026_: u32;
-    var phi_2183_: type_44;
-    var phi_2545_: u32;
-    var phi_2573_: u32;
-    var phi_2574_: u32;
-    var phi_2575_: u32;
-    var phi_2577_: u32;
-    var phi_2578_: u32;
-    var phi_2579_: bool;
-    var phi_2588_: u32;
-    var phi_2593_: bool;
-    var phi_2595_: u32;
     var phi_1041_: type_40;
     var phi_1044_: type_4;
     var phi_1045_: type_4;
@@ -179,51 +168,62 @@ fn function_() {
     var phi_2112_: type_40;
     var phi_2113_: type_40;
     var phi_1042_: type_40;
-    var phi_2784_: bool;
-    var phi_2948_: bool;
-    var phi_2599_: type_40;
-    var phi_2600_: bool;
-    var phi_2601_: u32;
-    var phi_2602_: u32;
-    var phi_2947_: bool;
-    var phi_2603_: type_40;
-    var phi_2604_: bool;
-    var phi_2605_: u32;
-    var phi_2606_: u32;
-    var phi_2607_: u32;
-    var phi_2946_: bool;
-    var phi_2608_: type_40;
+    var phi_2788_: bool;
+    var phi_2983_: bool;
+    var phi_2114_: type_40;
+    var phi_2179_: type_44;
+    var phi_2541_: u32;
+    var phi_2568_: u32;
+    var phi_2569_: u32;
+    var phi_2570_: u32;
+    var phi_2572_: u32;
+    var phi_2573_: u32;
+    var phi_2574_: bool;
+    var phi_2583_: u32;
+    var phi_2588_: bool;
+    var phi_2590_: u32;
+    var phi_2594_: bool;
+    var phi_2595_: u32;
+    var phi_2596_: u32;
+    var phi_2951_: bool;
+    var phi_2607_: type_40;
+    var phi_2608_: u32;
     var phi_2609_: bool;
     var phi_2610_: u32;
     var phi_2611_: u32;
-    var phi_2612_: u32;
-    var phi_2945_: bool;
+    var phi_2950_: bool;
+    var phi_2612_: type_40;
+    var phi_2613_: u32;
+    var phi_2614_: bool;
+    var phi_2615_: u32;
+    var phi_2616_: u32;
+    var phi_2949_: bool;
     var phi_973_: type_40;
-    var phi_976_: bool;
-    var phi_978_: u32;
+    var phi_976_: u32;
+    var phi_978_: bool;
     var phi_980_: u32;
     var phi_982_: u32;
-    var phi_2613_: bool;
-    var phi_2944_: bool;
+    var phi_2617_: bool;
+    var phi_2948_: bool;
     var local_2: type_40;
-    var phi_2651_: f32;
-    var phi_2653_: f32;
-    var phi_2654_: bool;
     var phi_2655_: f32;
-    var phi_2656_: bool;
-    var phi_2729_: u32;
-    var phi_2747_: bool;
-    var phi_2750_: bool;
-    var phi_2763_: f32;
-    var phi_2764_: f32;
-    var phi_2769_: f32;
-    var phi_2770_: f32;
-    var phi_2771_: bool;
-    var phi_2779_: f32;
-    var phi_2671_: f32;
-    var phi_2672_: f32;
-    var phi_2684_: f32;
-    var phi_2689_: type_23;
+    var phi_2657_: f32;
+    var phi_2658_: bool;
+    var phi_2659_: f32;
+    var phi_2660_: bool;
+    var phi_2733_: u32;
+    var phi_2751_: bool;
+    var phi_2754_: bool;
+    var phi_2767_: f32;
+    var phi_2768_: f32;
+    var phi_2773_: f32;
+    var phi_2774_: f32;
+    var phi_2775_: bool;
+    var phi_2783_: f32;
+    var phi_2675_: f32;
+    var phi_2676_: f32;
+    var phi_2688_: f32;
+    var phi_2693_: type_23;
     var local_3: type_40;
 
     switch bitcast<i32>(0u) {
@@ -536,31 +536,31 @@ fn function_() {
                     let _e558 = phi_957_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2790_ = false;
+                    phi_2794_ = false;
                     phi_972_ = type_40(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e556);
-                    phi_975_ = (_e558 <= _e556);
-                    phi_977_ = ((3u * _e75) + 1u);
+                    phi_975_ = ((3u * _e75) + 1u);
+                    phi_977_ = (_e558 <= _e556);
                     phi_979_ = 0u;
                     phi_981_ = select(0u, 2147483648u, (_e75 == 0u));
                     loop {
-                        let _e566 = phi_2790_;
+                        let _e566 = phi_2794_;
                         let _e568 = phi_972_;
                         let _e570 = phi_975_;
                         let _e572 = phi_977_;
                         let _e574 = phi_979_;
                         let _e576 = phi_981_;
                         local_2 = _e568;
-                        if _e570 {
+                        if _e572 {
                             phi_992_ = true;
                         } else {
                             phi_992_ = (_e574 > 0u);
                         }
                         let _e579 = phi_992_;
                         if _e579 {
-                            let _e580 = (_e572 > 0u);
+                            let _e580 = (_e570 > 0u);
                             if _e580 {
-                                if _e570 {
-                                    phi_1024_ = _e570;
+                                if _e572 {
+                                    phi_1024_ = _e572;
                                     phi_1025_ = _e574;
                                     phi_1026_ = _e576;
                                 } else {
@@ -569,13 +569,13 @@ fn function_() {
                                     let _e583 = (_e582 < 128u);
                                     if _e583 {
                                     } else {
-                                        phi_2944_ = true;
+                                        phi_2948_ = true;
                                         break;
                                     }
                                     let _e585 = local_1[_e582];
                                     if _e583 {
                                     } else {
-                                        phi_2944_ = true;
+                                        phi_2948_ = true;
                                         break;
                                     }
                                     let _e587 = local[_e582];
@@ -587,794 +587,798 @@ fn function_() {
                                 let _e593 = phi_1025_;
                                 let _e595 = phi_1026_;
                                 if _e591 {
-                                    if ((_e595 & 2147483648u) != 0u) {
+                                    let _e598 = ((_e595 & 2147483648u) != 0u);
+                                    if _e598 {
                                         phi_1041_ = _e568;
                                         phi_1044_ = type_4(0u, ((_e595 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e793 = phi_1041_;
-                                            let _e795 = phi_1044_;
-                                            local_3 = _e793;
-                                            if (_e795.member < _e795.member_1) {
-                                                phi_1045_ = type_4((_e795.member + 1u), _e795.member_1);
-                                                phi_1067_ = type_4(1u, _e795.member);
+                                            let _e605 = phi_1041_;
+                                            let _e607 = phi_1044_;
+                                            local_3 = _e605;
+                                            if (_e607.member < _e607.member_1) {
+                                                phi_1045_ = type_4((_e607.member + 1u), _e607.member_1);
+                                                phi_1067_ = type_4(1u, _e607.member);
                                             } else {
-                                                phi_1045_ = _e795;
+                                                phi_1045_ = _e607;
                                                 phi_1067_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e808 = phi_1045_;
-                                            let _e810 = phi_1067_;
-                                            let _e814 = (bitcast<i32>(_e810.member) != 0i);
-                                            if _e814 {
-                                                let _e815 = ((_e595 & 268435455u) + _e810.member_1);
-                                                let _e816 = (_e815 < _e77);
-                                                if _e816 {
-                                                    if _e816 {
+                                            let _e620 = phi_1045_;
+                                            let _e622 = phi_1067_;
+                                            let _e626 = (bitcast<i32>(_e622.member) != 0i);
+                                            if _e626 {
+                                                let _e627 = ((_e595 & 268435455u) + _e622.member_1);
+                                                let _e628 = (_e627 < _e77);
+                                                if _e628 {
+                                                    if _e628 {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e820 = global_3.member[_e815].member_1;
-                                                    phi_1088_ = _e820;
+                                                    let _e632 = global_3.member[_e627].member_1;
+                                                    phi_1088_ = _e632;
                                                 } else {
                                                     phi_1088_ = 4294967295u;
                                                 }
-                                                let _e822 = phi_1088_;
-                                                if (_e815 >= _e77) {
+                                                let _e634 = phi_1088_;
+                                                if (_e627 >= _e77) {
                                                     phi_1180_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e816 {
+                                                    if _e628 {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e824 = (_e203 % 3u);
-                                                    let _e825 = (_e202 % 3u);
-                                                    let _e826 = (_e204 % 3u);
-                                                    if (_e824 < 9u) {
+                                                    let _e636 = (_e203 % 3u);
+                                                    let _e637 = (_e202 % 3u);
+                                                    let _e638 = (_e204 % 3u);
+                                                    if (_e636 < 9u) {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e832 = global_3.member[_e815].member[_e824];
-                                                    if (_e825 < 9u) {
+                                                    let _e644 = global_3.member[_e627].member[_e636];
+                                                    if (_e637 < 9u) {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e838 = global_3.member[_e815].member[_e825];
-                                                    if (_e826 < 9u) {
+                                                    let _e650 = global_3.member[_e627].member[_e637];
+                                                    if (_e638 < 9u) {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e844 = global_3.member[_e815].member[_e826];
-                                                    let _e846 = (3u + _e824);
-                                                    if (_e846 < 9u) {
+                                                    let _e656 = global_3.member[_e627].member[_e638];
+                                                    let _e658 = (3u + _e636);
+                                                    if (_e658 < 9u) {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e852 = global_3.member[_e815].member[_e846];
-                                                    let _e853 = (3u + _e825);
-                                                    if (_e853 < 9u) {
+                                                    let _e664 = global_3.member[_e627].member[_e658];
+                                                    let _e665 = (3u + _e637);
+                                                    if (_e665 < 9u) {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e859 = global_3.member[_e815].member[_e853];
-                                                    let _e860 = (3u + _e826);
-                                                    if (_e860 < 9u) {
+                                                    let _e671 = global_3.member[_e627].member[_e665];
+                                                    let _e672 = (3u + _e638);
+                                                    if (_e672 < 9u) {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e866 = global_3.member[_e815].member[_e860];
-                                                    let _e868 = (6u + _e824);
-                                                    if (_e868 < 9u) {
+                                                    let _e678 = global_3.member[_e627].member[_e672];
+                                                    let _e680 = (6u + _e636);
+                                                    if (_e680 < 9u) {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e874 = global_3.member[_e815].member[_e868];
-                                                    let _e875 = (6u + _e825);
-                                                    if (_e875 < 9u) {
+                                                    let _e686 = global_3.member[_e627].member[_e680];
+                                                    let _e687 = (6u + _e637);
+                                                    if (_e687 < 9u) {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e881 = global_3.member[_e815].member[_e875];
-                                                    let _e882 = (6u + _e826);
-                                                    if (_e882 < 9u) {
+                                                    let _e693 = global_3.member[_e627].member[_e687];
+                                                    let _e694 = (6u + _e638);
+                                                    if (_e694 < 9u) {
                                                     } else {
-                                                        phi_2784_ = true;
+                                                        phi_2788_ = true;
                                                         break;
                                                     }
-                                                    let _e888 = global_3.member[_e815].member[_e882];
-                                                    phi_1180_ = array<array<f32, 3>, 3>(array<f32, 3>(_e832, _e838, _e844), array<f32, 3>(_e852, _e859, _e866), array<f32, 3>(_e874, _e881, _e888));
+                                                    let _e700 = global_3.member[_e627].member[_e694];
+                                                    phi_1180_ = array<array<f32, 3>, 3>(array<f32, 3>(_e644, _e650, _e656), array<f32, 3>(_e664, _e671, _e678), array<f32, 3>(_e686, _e693, _e700));
                                                 }
-                                                let _e892 = phi_1180_;
-                                                let _e900 = (_e892[0][2] - _e404);
-                                                let _e903 = (((_e892[0][0] - _e267) * _e443) - (_e900 * _e307));
-                                                let _e906 = (((_e892[0][1] - _e336) * _e443) - (_e900 * _e375));
-                                                let _e913 = (_e892[1][2] - _e404);
-                                                let _e916 = (((_e892[1][0] - _e267) * _e443) - (_e913 * _e307));
-                                                let _e919 = (((_e892[1][1] - _e336) * _e443) - (_e913 * _e375));
-                                                let _e926 = (_e892[2][2] - _e404);
-                                                let _e929 = (((_e892[2][0] - _e267) * _e443) - (_e926 * _e307));
-                                                let _e932 = (((_e892[2][1] - _e336) * _e443) - (_e926 * _e375));
-                                                let _e933 = (_e929 * _e919);
-                                                let _e934 = (_e932 * _e916);
-                                                let _e935 = (_e903 * _e932);
-                                                let _e936 = (_e906 * _e929);
-                                                let _e937 = (_e916 * _e906);
-                                                let _e938 = (_e919 * _e903);
-                                                let _e943 = (((_e933 >= _e934) && (_e935 >= _e936)) && (_e937 >= _e938));
-                                                if (_e943 || (((_e933 <= _e934) && (_e935 <= _e936)) && (_e937 <= _e938))) {
-                                                    let _e950 = select(-1f, 1f, _e943);
-                                                    let _e952 = ((_e933 - _e934) * _e950);
-                                                    let _e954 = select(0f, _e952, (_e952 > 0f));
-                                                    let _e956 = ((_e935 - _e936) * _e950);
-                                                    let _e958 = select(0f, _e956, (_e956 > 0f));
-                                                    let _e960 = ((_e937 - _e938) * _e950);
-                                                    let _e962 = select(0f, _e960, (_e960 > 0f));
-                                                    let _e964 = ((_e954 + _e958) + _e962);
-                                                    if (_e964 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e704 = phi_1180_;
+                                                let _e712 = (_e704[0][2] - _e404);
+                                                let _e715 = (((_e704[0][0] - _e267) * _e443) - (_e712 * _e307));
+                                                let _e718 = (((_e704[0][1] - _e336) * _e443) - (_e712 * _e375));
+                                                let _e725 = (_e704[1][2] - _e404);
+                                                let _e728 = (((_e704[1][0] - _e267) * _e443) - (_e725 * _e307));
+                                                let _e731 = (((_e704[1][1] - _e336) * _e443) - (_e725 * _e375));
+                                                let _e738 = (_e704[2][2] - _e404);
+                                                let _e741 = (((_e704[2][0] - _e267) * _e443) - (_e738 * _e307));
+                                                let _e744 = (((_e704[2][1] - _e336) * _e443) - (_e738 * _e375));
+                                                let _e745 = (_e741 * _e731);
+                                                let _e746 = (_e744 * _e728);
+                                                let _e747 = (_e715 * _e744);
+                                                let _e748 = (_e718 * _e741);
+                                                let _e749 = (_e728 * _e718);
+                                                let _e750 = (_e731 * _e715);
+                                                let _e755 = (((_e745 >= _e746) && (_e747 >= _e748)) && (_e749 >= _e750));
+                                                if (_e755 || (((_e745 <= _e746) && (_e747 <= _e748)) && (_e749 <= _e750))) {
+                                                    let _e762 = select(-1f, 1f, _e755);
+                                                    let _e764 = ((_e745 - _e746) * _e762);
+                                                    let _e766 = select(0f, _e764, (_e764 > 0f));
+                                                    let _e768 = ((_e747 - _e748) * _e762);
+                                                    let _e770 = select(0f, _e768, (_e768 > 0f));
+                                                    let _e772 = ((_e749 - _e750) * _e762);
+                                                    let _e774 = select(0f, _e772, (_e772 > 0f));
+                                                    let _e776 = ((_e766 + _e770) + _e774);
+                                                    if (_e776 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2064_ = type_23();
                                                         phi_2065_ = true;
                                                         phi_2066_ = false;
                                                     } else {
-                                                        let _e967 = select(_e916, _e903, (_e903 < _e916));
-                                                        if (select(_e929, _e967, (_e967 < _e929)) > 0f) {
+                                                        let _e779 = select(_e728, _e715, (_e715 < _e728));
+                                                        if (select(_e741, _e779, (_e779 < _e741)) > 0f) {
                                                             phi_1332_ = true;
                                                         } else {
-                                                            let _e972 = select(_e916, _e903, (_e903 > _e916));
-                                                            phi_1332_ = (select(_e929, _e972, (_e972 > _e929)) < 0f);
+                                                            let _e784 = select(_e728, _e715, (_e715 > _e728));
+                                                            phi_1332_ = (select(_e741, _e784, (_e784 > _e741)) < 0f);
                                                         }
-                                                        let _e977 = phi_1332_;
-                                                        if _e977 {
+                                                        let _e789 = phi_1332_;
+                                                        if _e789 {
                                                             phi_2061_ = type_23();
                                                             phi_2062_ = true;
                                                             phi_2063_ = false;
                                                         } else {
-                                                            let _e979 = select(_e919, _e906, (_e906 < _e919));
-                                                            if (select(_e932, _e979, (_e979 < _e932)) > 0f) {
+                                                            let _e791 = select(_e731, _e718, (_e718 < _e731));
+                                                            if (select(_e744, _e791, (_e791 < _e744)) > 0f) {
                                                                 phi_1361_ = true;
                                                             } else {
-                                                                let _e984 = select(_e919, _e906, (_e906 > _e919));
-                                                                phi_1361_ = (select(_e932, _e984, (_e984 > _e932)) < 0f);
+                                                                let _e796 = select(_e731, _e718, (_e718 > _e731));
+                                                                phi_1361_ = (select(_e744, _e796, (_e796 > _e744)) < 0f);
                                                             }
-                                                            let _e989 = phi_1361_;
-                                                            if _e989 {
+                                                            let _e801 = phi_1361_;
+                                                            if _e801 {
                                                                 phi_2059_ = type_23();
                                                                 phi_2060_ = false;
                                                             } else {
-                                                                let _e991 = select(_e892[1][0], _e892[0][0], (_e892[0][0] < _e892[1][0]));
-                                                                let _e995 = select(_e892[1][0], _e892[0][0], (_e892[0][0] > _e892[1][0]));
-                                                                let _e999 = select(_e892[1][1], _e892[0][1], (_e892[0][1] < _e892[1][1]));
-                                                                let _e1003 = select(_e892[1][1], _e892[0][1], (_e892[0][1] > _e892[1][1]));
-                                                                let _e1007 = select(_e892[1][2], _e892[0][2], (_e892[0][2] < _e892[1][2]));
-                                                                let _e1011 = select(_e892[1][2], _e892[0][2], (_e892[0][2] > _e892[1][2]));
-                                                                let _e1016 = ((select(_e892[2][0], _e991, (_e991 < _e892[2][0])) - _e305) * _e310);
-                                                                let _e1017 = ((select(_e892[2][0], _e995, (_e995 > _e892[2][0])) - _e306) * _e310);
-                                                                let _e1020 = ((select(_e892[2][1], _e999, (_e999 < _e892[2][1])) - _e373) * _e378);
-                                                                let _e1021 = ((select(_e892[2][1], _e1003, (_e1003 > _e892[2][1])) - _e374) * _e378);
-                                                                let _e1024 = ((select(_e892[2][2], _e1007, (_e1007 < _e892[2][2])) - _e441) * _e446);
-                                                                let _e1025 = ((select(_e892[2][2], _e1011, (_e1011 > _e892[2][2])) - _e442) * _e446);
-                                                                let _e1027 = select(_e1025, _e1024, (_e1024 < _e1025));
-                                                                let _e1029 = select(_e1025, _e1024, (_e1024 > _e1025));
-                                                                let _e1031 = select(_e1017, _e1016, (_e1016 < _e1017));
-                                                                let _e1033 = select(_e1021, _e1020, (_e1020 < _e1021));
-                                                                let _e1035 = select(_e1033, _e1031, (_e1031 > _e1033));
-                                                                let _e1037 = select(_e1027, _e1035, (_e1035 > _e1027));
-                                                                let _e1039 = select(_e1017, _e1016, (_e1016 > _e1017));
-                                                                let _e1041 = select(_e1021, _e1020, (_e1020 > _e1021));
-                                                                let _e1043 = select(_e1041, _e1039, (_e1039 < _e1041));
-                                                                let _e1045 = select(_e1029, _e1043, (_e1043 < _e1029));
-                                                                let _e1046 = -(_e1027);
-                                                                let _e1052 = select(_e558, _e1037, (_e1037 > _e558));
-                                                                if (_e1052 > (_e1045 + (select(_e1046, _e1029, (_e1029 > _e1046)) * 0.0000019073523f))) {
+                                                                let _e803 = select(_e704[1][0], _e704[0][0], (_e704[0][0] < _e704[1][0]));
+                                                                let _e807 = select(_e704[1][0], _e704[0][0], (_e704[0][0] > _e704[1][0]));
+                                                                let _e811 = select(_e704[1][1], _e704[0][1], (_e704[0][1] < _e704[1][1]));
+                                                                let _e815 = select(_e704[1][1], _e704[0][1], (_e704[0][1] > _e704[1][1]));
+                                                                let _e819 = select(_e704[1][2], _e704[0][2], (_e704[0][2] < _e704[1][2]));
+                                                                let _e823 = select(_e704[1][2], _e704[0][2], (_e704[0][2] > _e704[1][2]));
+                                                                let _e828 = ((select(_e704[2][0], _e803, (_e803 < _e704[2][0])) - _e305) * _e310);
+                                                                let _e829 = ((select(_e704[2][0], _e807, (_e807 > _e704[2][0])) - _e306) * _e310);
+                                                                let _e832 = ((select(_e704[2][1], _e811, (_e811 < _e704[2][1])) - _e373) * _e378);
+                                                                let _e833 = ((select(_e704[2][1], _e815, (_e815 > _e704[2][1])) - _e374) * _e378);
+                                                                let _e836 = ((select(_e704[2][2], _e819, (_e819 < _e704[2][2])) - _e441) * _e446);
+                                                                let _e837 = ((select(_e704[2][2], _e823, (_e823 > _e704[2][2])) - _e442) * _e446);
+                                                                let _e839 = select(_e837, _e836, (_e836 < _e837));
+                                                                let _e841 = select(_e837, _e836, (_e836 > _e837));
+                                                                let _e843 = select(_e829, _e828, (_e828 < _e829));
+                                                                let _e845 = select(_e833, _e832, (_e832 < _e833));
+                                                                let _e847 = select(_e845, _e843, (_e843 > _e845));
+                                                                let _e849 = select(_e839, _e847, (_e847 > _e839));
+                                                                let _e851 = select(_e829, _e828, (_e828 > _e829));
+                                                                let _e853 = select(_e833, _e832, (_e832 > _e833));
+                                                                let _e855 = select(_e853, _e851, (_e851 < _e853));
+                                                                let _e857 = select(_e841, _e855, (_e855 < _e841));
+                                                                let _e858 = -(_e839);
+                                                                let _e864 = select(_e558, _e849, (_e849 > _e558));
+                                                                if (_e864 > (_e857 + (select(_e858, _e841, (_e841 > _e858)) * 0.0000019073523f))) {
                                                                     phi_2054_ = type_23();
                                                                     phi_2055_ = true;
                                                                 } else {
-                                                                    let _e1054 = (_e1052 > _e793.member_1);
-                                                                    if _e1054 {
+                                                                    let _e866 = (_e864 > _e605.member_1);
+                                                                    if _e866 {
                                                                         phi_2053_ = type_23();
                                                                     } else {
-                                                                        let _e1055 = vec3<f32>(_e892[0][0], _e892[0][1], _e892[0][2]);
-                                                                        let _e1056 = vec3<f32>(_e892[1][0], _e892[1][1], _e892[1][2]);
-                                                                        let _e1057 = vec3<f32>(_e892[2][0], _e892[2][1], _e892[2][2]);
-                                                                        let _e1058 = (_e892[1][0] - _e892[0][0]);
-                                                                        let _e1059 = (_e892[1][1] - _e892[0][1]);
-                                                                        let _e1060 = (_e892[1][2] - _e892[0][2]);
-                                                                        let _e1061 = vec3<f32>(_e1058, _e1059, _e1060);
-                                                                        let _e1062 = (_e892[2][0] - _e892[1][0]);
-                                                                        let _e1063 = (_e892[2][1] - _e892[1][1]);
-                                                                        let _e1064 = (_e892[2][2] - _e892[1][2]);
-                                                                        let _e1065 = vec3<f32>(_e1062, _e1063, _e1064);
-                                                                        let _e1066 = (_e892[0][0] - _e892[2][0]);
-                                                                        let _e1067 = (_e892[0][1] - _e892[2][1]);
-                                                                        let _e1068 = (_e892[0][2] - _e892[2][2]);
-                                                                        let _e1069 = vec3<f32>(_e1066, _e1067, _e1068);
-                                                                        let _e1072 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
-                                                                        let _e1075 = bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u));
-                                                                        let _e1077 = select(_e1075, _e1072, (_e1072 > _e1075));
-                                                                        let _e1080 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
-                                                                        let _e1082 = select(_e1080, _e1077, (_e1077 > _e1080));
-                                                                        let _e1085 = bitcast<f32>((bitcast<u32>(_e1062) & 2147483647u));
-                                                                        let _e1088 = bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u));
-                                                                        let _e1090 = select(_e1088, _e1085, (_e1085 > _e1088));
-                                                                        let _e1093 = bitcast<f32>((bitcast<u32>(_e1064) & 2147483647u));
-                                                                        let _e1095 = select(_e1093, _e1090, (_e1090 > _e1093));
-                                                                        let _e1098 = bitcast<f32>((bitcast<u32>(_e1066) & 2147483647u));
-                                                                        let _e1101 = bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u));
-                                                                        let _e1103 = select(_e1101, _e1098, (_e1098 > _e1101));
-                                                                        let _e1106 = bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u));
-                                                                        let _e1108 = select(_e1106, _e1103, (_e1103 > _e1106));
-                                                                        let _e1110 = select(_e1095, _e1082, (_e1082 > _e1095));
-                                                                        let _e1112 = select(_e1108, _e1110, (_e1110 > _e1108));
-                                                                        if (_e1082 == _e1112) {
-                                                                            phi_1780_ = _e919;
-                                                                            phi_1781_ = _e916;
-                                                                            phi_1782_ = _e906;
-                                                                            phi_1783_ = _e903;
-                                                                            phi_1784_ = _e1055;
-                                                                            phi_1785_ = _e1069;
-                                                                            phi_1786_ = _e1065;
-                                                                            phi_1787_ = _e1061;
+                                                                        let _e867 = vec3<f32>(_e704[0][0], _e704[0][1], _e704[0][2]);
+                                                                        let _e868 = vec3<f32>(_e704[1][0], _e704[1][1], _e704[1][2]);
+                                                                        let _e869 = vec3<f32>(_e704[2][0], _e704[2][1], _e704[2][2]);
+                                                                        let _e870 = (_e704[1][0] - _e704[0][0]);
+                                                                        let _e871 = (_e704[1][1] - _e704[0][1]);
+                                                                        let _e872 = (_e704[1][2] - _e704[0][2]);
+                                                                        let _e873 = vec3<f32>(_e870, _e871, _e872);
+                                                                        let _e874 = (_e704[2][0] - _e704[1][0]);
+                                                                        let _e875 = (_e704[2][1] - _e704[1][1]);
+                                                                        let _e876 = (_e704[2][2] - _e704[1][2]);
+                                                                        let _e877 = vec3<f32>(_e874, _e875, _e876);
+                                                                        let _e878 = (_e704[0][0] - _e704[2][0]);
+                                                                        let _e879 = (_e704[0][1] - _e704[2][1]);
+                                                                        let _e880 = (_e704[0][2] - _e704[2][2]);
+                                                                        let _e881 = vec3<f32>(_e878, _e879, _e880);
+                                                                        let _e884 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
+                                                                        let _e887 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
+                                                                        let _e889 = select(_e887, _e884, (_e884 > _e887));
+                                                                        let _e892 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
+                                                                        let _e894 = select(_e892, _e889, (_e889 > _e892));
+                                                                        let _e897 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
+                                                                        let _e900 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
+                                                                        let _e902 = select(_e900, _e897, (_e897 > _e900));
+                                                                        let _e905 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
+                                                                        let _e907 = select(_e905, _e902, (_e902 > _e905));
+                                                                        let _e910 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
+                                                                        let _e913 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
+                                                                        let _e915 = select(_e913, _e910, (_e910 > _e913));
+                                                                        let _e918 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
+                                                                        let _e920 = select(_e918, _e915, (_e915 > _e918));
+                                                                        let _e922 = select(_e907, _e894, (_e894 > _e907));
+                                                                        let _e924 = select(_e920, _e922, (_e922 > _e920));
+                                                                        if (_e894 == _e924) {
+                                                                            phi_1780_ = _e731;
+                                                                            phi_1781_ = _e728;
+                                                                            phi_1782_ = _e718;
+                                                                            phi_1783_ = _e715;
+                                                                            phi_1784_ = _e867;
+                                                                            phi_1785_ = _e881;
+                                                                            phi_1786_ = _e877;
+                                                                            phi_1787_ = _e873;
                                                                         } else {
-                                                                            let _e1114 = (_e1095 == _e1112);
-                                                                            let _e1119 = vec3(_e1114);
-                                                                            phi_1780_ = select(_e906, _e932, _e1114);
-                                                                            phi_1781_ = select(_e903, _e929, _e1114);
-                                                                            phi_1782_ = select(_e932, _e919, _e1114);
-                                                                            phi_1783_ = select(_e929, _e916, _e1114);
-                                                                            phi_1784_ = select(_e1057, _e1056, _e1119);
-                                                                            phi_1785_ = select(_e1065, _e1061, _e1119);
-                                                                            phi_1786_ = select(_e1061, _e1069, _e1119);
-                                                                            phi_1787_ = select(_e1069, _e1065, _e1119);
+                                                                            let _e926 = (_e907 == _e924);
+                                                                            let _e931 = vec3(_e926);
+                                                                            phi_1780_ = select(_e718, _e744, _e926);
+                                                                            phi_1781_ = select(_e715, _e741, _e926);
+                                                                            phi_1782_ = select(_e744, _e731, _e926);
+                                                                            phi_1783_ = select(_e741, _e728, _e926);
+                                                                            phi_1784_ = select(_e869, _e868, _e931);
+                                                                            phi_1785_ = select(_e877, _e873, _e931);
+                                                                            phi_1786_ = select(_e873, _e881, _e931);
+                                                                            phi_1787_ = select(_e881, _e877, _e931);
                                                                         }
-                                                                        let _e1125 = phi_1780_;
-                                                                        let _e1127 = phi_1781_;
-                                                                        let _e1129 = phi_1782_;
-                                                                        let _e1131 = phi_1783_;
-                                                                        let _e1133 = phi_1784_;
-                                                                        let _e1135 = phi_1785_;
-                                                                        let _e1137 = phi_1786_;
-                                                                        let _e1139 = phi_1787_;
-                                                                        let _e1146 = ((_e1137.y * _e1135.z) - (_e1135.y * _e1137.z));
-                                                                        let _e1151 = ((_e1137.z * _e1135.x) - (_e1135.z * _e1137.x));
-                                                                        let _e1154 = ((_e1137.x * _e1135.y) - (_e1135.x * _e1137.y));
-                                                                        if (_e954 >= _e958) {
-                                                                            phi_1824_ = select(true, false, (_e954 >= _e962));
+                                                                        let _e937 = phi_1780_;
+                                                                        let _e939 = phi_1781_;
+                                                                        let _e941 = phi_1782_;
+                                                                        let _e943 = phi_1783_;
+                                                                        let _e945 = phi_1784_;
+                                                                        let _e947 = phi_1785_;
+                                                                        let _e949 = phi_1786_;
+                                                                        let _e951 = phi_1787_;
+                                                                        let _e958 = ((_e949.y * _e947.z) - (_e947.y * _e949.z));
+                                                                        let _e963 = ((_e949.z * _e947.x) - (_e947.z * _e949.x));
+                                                                        let _e966 = ((_e949.x * _e947.y) - (_e947.x * _e949.y));
+                                                                        if (_e766 >= _e770) {
+                                                                            phi_1824_ = select(true, false, (_e766 >= _e774));
                                                                         } else {
                                                                             phi_1824_ = true;
                                                                         }
-                                                                        let _e1159 = phi_1824_;
-                                                                        if _e1159 {
-                                                                            phi_1833_ = select(_e1057, _e1056, vec3((_e958 >= _e962)));
+                                                                        let _e971 = phi_1824_;
+                                                                        if _e971 {
+                                                                            phi_1833_ = select(_e869, _e868, vec3((_e770 >= _e774)));
                                                                         } else {
-                                                                            phi_1833_ = _e1055;
+                                                                            phi_1833_ = _e867;
                                                                         }
-                                                                        let _e1164 = phi_1833_;
-                                                                        let _e1175 = (((_e1146 * (_e1164.x - _e267)) + (_e1151 * (_e1164.y - _e336))) + (_e1154 * (_e1164.z - _e404)));
-                                                                        let _e1180 = (((_e1146 * _e307) + (_e1151 * _e375)) + (_e1154 * _e443));
-                                                                        let _e1181 = (_e1127 - _e1131);
-                                                                        let _e1182 = (_e1125 - _e1129);
-                                                                        let _e1190 = (-(((_e1131 * _e1181) + (_e1129 * _e1182))) / ((_e1181 * _e1181) + (_e1182 * _e1182)));
-                                                                        let _e1192 = select(1f, _e1190, (_e1190 < 1f));
-                                                                        let _e1194 = select(0f, _e1192, (_e1192 > 0f));
-                                                                        let _e1207 = ((_e1133.x + (_e1139.x * _e1194)) - _e267);
-                                                                        let _e1208 = ((_e1133.y + (_e1139.y * _e1194)) - _e336);
-                                                                        let _e1209 = ((_e1133.z + (_e1139.z * _e1194)) - _e404);
-                                                                        let _e1210 = (_e1209 / _e443);
-                                                                        let _e1222 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
-                                                                        let _e1225 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
-                                                                        let _e1227 = select(_e1225, _e1222, (_e1222 > _e1225));
-                                                                        let _e1230 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
-                                                                        let _e1232 = select(_e1230, _e1227, (_e1227 > _e1230));
-                                                                        let _e1238 = bitcast<f32>((bitcast<u32>(_e1146) & 2147483647u));
-                                                                        let _e1241 = bitcast<f32>((bitcast<u32>(_e1151) & 2147483647u));
-                                                                        let _e1243 = select(_e1241, _e1238, (_e1238 > _e1241));
-                                                                        let _e1246 = bitcast<f32>((bitcast<u32>(_e1154) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1146 * _e1207) + (_e1151 * _e1208)) + (_e1154 * _e1209)) - _e1175)) & 2147483647u)) <= ((0.0000009536743f * select(_e1112, _e1232, (_e1232 > _e1112))) * select(_e1246, _e1243, (_e1243 > _e1246)))) {
-                                                                            let _e1256 = bitcast<f32>((bitcast<u32>(_e1137.x) & 2147483647u));
-                                                                            let _e1259 = bitcast<f32>((bitcast<u32>(_e1137.y) & 2147483647u));
-                                                                            let _e1261 = select(_e1259, _e1256, (_e1256 > _e1259));
-                                                                            let _e1264 = bitcast<f32>((bitcast<u32>(_e1137.z) & 2147483647u));
-                                                                            let _e1270 = bitcast<f32>((bitcast<u32>(_e1135.x) & 2147483647u));
-                                                                            let _e1273 = bitcast<f32>((bitcast<u32>(_e1135.y) & 2147483647u));
-                                                                            let _e1275 = select(_e1273, _e1270, (_e1270 > _e1273));
-                                                                            let _e1278 = bitcast<f32>((bitcast<u32>(_e1135.z) & 2147483647u));
-                                                                            let _e1282 = (bitcast<f32>((bitcast<u32>(_e1180) & 2147483647u)) > ((0.0000038146973f * select(_e1264, _e1261, (_e1261 > _e1264))) * select(_e1278, _e1275, (_e1275 > _e1278))));
-                                                                            if _e1282 {
-                                                                                phi_1998_ = (_e1175 / _e1180);
+                                                                        let _e976 = phi_1833_;
+                                                                        let _e987 = (((_e958 * (_e976.x - _e267)) + (_e963 * (_e976.y - _e336))) + (_e966 * (_e976.z - _e404)));
+                                                                        let _e992 = (((_e958 * _e307) + (_e963 * _e375)) + (_e966 * _e443));
+                                                                        let _e993 = (_e939 - _e943);
+                                                                        let _e994 = (_e937 - _e941);
+                                                                        let _e1002 = (-(((_e943 * _e993) + (_e941 * _e994))) / ((_e993 * _e993) + (_e994 * _e994)));
+                                                                        let _e1004 = select(1f, _e1002, (_e1002 < 1f));
+                                                                        let _e1006 = select(0f, _e1004, (_e1004 > 0f));
+                                                                        let _e1019 = ((_e945.x + (_e951.x * _e1006)) - _e267);
+                                                                        let _e1020 = ((_e945.y + (_e951.y * _e1006)) - _e336);
+                                                                        let _e1021 = ((_e945.z + (_e951.z * _e1006)) - _e404);
+                                                                        let _e1022 = (_e1021 / _e443);
+                                                                        let _e1034 = bitcast<f32>((bitcast<u32>(_e1019) & 2147483647u));
+                                                                        let _e1037 = bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u));
+                                                                        let _e1039 = select(_e1037, _e1034, (_e1034 > _e1037));
+                                                                        let _e1042 = bitcast<f32>((bitcast<u32>(_e1021) & 2147483647u));
+                                                                        let _e1044 = select(_e1042, _e1039, (_e1039 > _e1042));
+                                                                        let _e1050 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
+                                                                        let _e1053 = bitcast<f32>((bitcast<u32>(_e963) & 2147483647u));
+                                                                        let _e1055 = select(_e1053, _e1050, (_e1050 > _e1053));
+                                                                        let _e1058 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e958 * _e1019) + (_e963 * _e1020)) + (_e966 * _e1021)) - _e987)) & 2147483647u)) <= ((0.0000009536743f * select(_e924, _e1044, (_e1044 > _e924))) * select(_e1058, _e1055, (_e1055 > _e1058)))) {
+                                                                            let _e1068 = bitcast<f32>((bitcast<u32>(_e949.x) & 2147483647u));
+                                                                            let _e1071 = bitcast<f32>((bitcast<u32>(_e949.y) & 2147483647u));
+                                                                            let _e1073 = select(_e1071, _e1068, (_e1068 > _e1071));
+                                                                            let _e1076 = bitcast<f32>((bitcast<u32>(_e949.z) & 2147483647u));
+                                                                            let _e1082 = bitcast<f32>((bitcast<u32>(_e947.x) & 2147483647u));
+                                                                            let _e1085 = bitcast<f32>((bitcast<u32>(_e947.y) & 2147483647u));
+                                                                            let _e1087 = select(_e1085, _e1082, (_e1082 > _e1085));
+                                                                            let _e1090 = bitcast<f32>((bitcast<u32>(_e947.z) & 2147483647u));
+                                                                            let _e1094 = (bitcast<f32>((bitcast<u32>(_e992) & 2147483647u)) > ((0.0000038146973f * select(_e1076, _e1073, (_e1073 > _e1076))) * select(_e1090, _e1087, (_e1087 > _e1090))));
+                                                                            if _e1094 {
+                                                                                phi_1998_ = (_e987 / _e992);
                                                                             } else {
                                                                                 phi_1998_ = f32();
                                                                             }
-                                                                            let _e1285 = phi_1998_;
-                                                                            phi_2000_ = _e1285;
-                                                                            phi_2001_ = select(true, false, _e1282);
+                                                                            let _e1097 = phi_1998_;
+                                                                            phi_2000_ = _e1097;
+                                                                            phi_2001_ = select(true, false, _e1094);
                                                                         } else {
                                                                             phi_2000_ = f32();
                                                                             phi_2001_ = true;
                                                                         }
-                                                                        let _e1288 = phi_2000_;
-                                                                        let _e1290 = phi_2001_;
-                                                                        if _e1290 {
-                                                                            let _e1298 = (((_e1146 * (_e1207 - (_e307 * _e1210))) + (_e1151 * (_e1208 - (_e375 * _e1210)))) / _e1180);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1298) & 2147483647u)) <= _e1112) {
-                                                                                phi_2021_ = (_e1210 + _e1298);
+                                                                        let _e1100 = phi_2000_;
+                                                                        let _e1102 = phi_2001_;
+                                                                        if _e1102 {
+                                                                            let _e1110 = (((_e958 * (_e1019 - (_e307 * _e1022))) + (_e963 * (_e1020 - (_e375 * _e1022)))) / _e992);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1110) & 2147483647u)) <= _e924) {
+                                                                                phi_2021_ = (_e1022 + _e1110);
                                                                             } else {
-                                                                                phi_2021_ = _e1210;
+                                                                                phi_2021_ = _e1022;
                                                                             }
-                                                                            let _e1305 = phi_2021_;
-                                                                            phi_2022_ = _e1305;
+                                                                            let _e1117 = phi_2021_;
+                                                                            phi_2022_ = _e1117;
                                                                         } else {
-                                                                            phi_2022_ = _e1288;
+                                                                            phi_2022_ = _e1100;
                                                                         }
-                                                                        let _e1307 = phi_2022_;
-                                                                        let _e1309 = select(_e1045, _e1307, (_e1307 < _e1045));
-                                                                        let _e1311 = select(_e1037, _e1309, (_e1309 > _e1037));
-                                                                        if (_e1311 >= _e558) {
-                                                                            let _e1313 = (_e1311 <= _e793.member_1);
-                                                                            if _e1313 {
-                                                                                let _e1314 = (1f / _e964);
-                                                                                phi_2045_ = type_23(_e1311, (_e958 * _e1314), (_e962 * _e1314), _e822);
+                                                                        let _e1119 = phi_2022_;
+                                                                        let _e1121 = select(_e857, _e1119, (_e1119 < _e857));
+                                                                        let _e1123 = select(_e849, _e1121, (_e1121 > _e849));
+                                                                        if (_e1123 >= _e558) {
+                                                                            let _e1125 = (_e1123 <= _e605.member_1);
+                                                                            if _e1125 {
+                                                                                let _e1126 = (1f / _e776);
+                                                                                phi_2045_ = type_23(_e1123, (_e770 * _e1126), (_e774 * _e1126), _e634);
                                                                             } else {
                                                                                 phi_2045_ = type_23();
                                                                             }
-                                                                            let _e1319 = phi_2045_;
-                                                                            phi_2047_ = _e1319;
-                                                                            phi_2048_ = select(true, false, _e1313);
+                                                                            let _e1131 = phi_2045_;
+                                                                            phi_2047_ = _e1131;
+                                                                            phi_2048_ = select(true, false, _e1125);
                                                                         } else {
                                                                             phi_2047_ = type_23();
                                                                             phi_2048_ = true;
                                                                         }
-                                                                        let _e1322 = phi_2047_;
-                                                                        let _e1324 = phi_2048_;
-                                                                        if _e1324 {
+                                                                        let _e1134 = phi_2047_;
+                                                                        let _e1136 = phi_2048_;
+                                                                        if _e1136 {
                                                                             phi_2052_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2052_ = _e1322;
+                                                                            phi_2052_ = _e1134;
                                                                         }
-                                                                        let _e1326 = phi_2052_;
-                                                                        phi_2053_ = _e1326;
+                                                                        let _e1138 = phi_2052_;
+                                                                        phi_2053_ = _e1138;
                                                                     }
-                                                                    let _e1328 = phi_2053_;
-                                                                    phi_2054_ = _e1328;
-                                                                    phi_2055_ = _e1054;
+                                                                    let _e1140 = phi_2053_;
+                                                                    phi_2054_ = _e1140;
+                                                                    phi_2055_ = _e866;
                                                                 }
-                                                                let _e1330 = phi_2054_;
-                                                                let _e1332 = phi_2055_;
-                                                                phi_2059_ = _e1330;
-                                                                phi_2060_ = _e1332;
+                                                                let _e1142 = phi_2054_;
+                                                                let _e1144 = phi_2055_;
+                                                                phi_2059_ = _e1142;
+                                                                phi_2060_ = _e1144;
                                                             }
-                                                            let _e1334 = phi_2059_;
-                                                            let _e1336 = phi_2060_;
-                                                            phi_2061_ = _e1334;
-                                                            phi_2062_ = _e989;
-                                                            phi_2063_ = _e1336;
+                                                            let _e1146 = phi_2059_;
+                                                            let _e1148 = phi_2060_;
+                                                            phi_2061_ = _e1146;
+                                                            phi_2062_ = _e801;
+                                                            phi_2063_ = _e1148;
                                                         }
-                                                        let _e1338 = phi_2061_;
-                                                        let _e1340 = phi_2062_;
-                                                        let _e1342 = phi_2063_;
-                                                        phi_2064_ = _e1338;
-                                                        phi_2065_ = _e1340;
-                                                        phi_2066_ = _e1342;
+                                                        let _e1150 = phi_2061_;
+                                                        let _e1152 = phi_2062_;
+                                                        let _e1154 = phi_2063_;
+                                                        phi_2064_ = _e1150;
+                                                        phi_2065_ = _e1152;
+                                                        phi_2066_ = _e1154;
                                                     }
-                                                    let _e1344 = phi_2064_;
-                                                    let _e1346 = phi_2065_;
-                                                    let _e1348 = phi_2066_;
-                                                    phi_2074_ = _e1344;
-                                                    phi_2075_ = select(_e1348, true, _e1346);
+                                                    let _e1156 = phi_2064_;
+                                                    let _e1158 = phi_2065_;
+                                                    let _e1160 = phi_2066_;
+                                                    phi_2074_ = _e1156;
+                                                    phi_2075_ = select(_e1160, true, _e1158);
                                                 } else {
                                                     phi_2074_ = type_23();
                                                     phi_2075_ = true;
                                                 }
-                                                let _e1351 = phi_2074_;
-                                                let _e1353 = phi_2075_;
-                                                if _e1353 {
+                                                let _e1163 = phi_2074_;
+                                                let _e1165 = phi_2075_;
+                                                if _e1165 {
                                                     phi_2079_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2079_ = _e1351;
+                                                    phi_2079_ = _e1163;
                                                 }
-                                                let _e1355 = phi_2079_;
-                                                if (_e1355.member_3 != 4294967295u) {
-                                                    if (_e822 != 4294967295u) {
-                                                        if (_e1355.member < _e793.member.member) {
+                                                let _e1167 = phi_2079_;
+                                                if (_e1167.member_3 != 4294967295u) {
+                                                    if (_e634 != 4294967295u) {
+                                                        if (_e1167.member < _e605.member.member) {
                                                             phi_2105_ = true;
                                                         } else {
-                                                            if (_e1355.member == _e793.member.member) {
-                                                                phi_2104_ = (_e1355.member_3 < _e793.member.member_3);
+                                                            if (_e1167.member == _e605.member.member) {
+                                                                phi_2104_ = (_e1167.member_3 < _e605.member.member_3);
                                                             } else {
                                                                 phi_2104_ = false;
                                                             }
-                                                            let _e1368 = phi_2104_;
-                                                            phi_2105_ = _e1368;
+                                                            let _e1180 = phi_2104_;
+                                                            phi_2105_ = _e1180;
                                                         }
-                                                        let _e1370 = phi_2105_;
-                                                        if _e1370 {
-                                                            phi_2111_ = type_40(_e1355, _e1355.member);
+                                                        let _e1182 = phi_2105_;
+                                                        if _e1182 {
+                                                            phi_2111_ = type_40(_e1167, _e1167.member);
                                                         } else {
-                                                            phi_2111_ = _e793;
+                                                            phi_2111_ = _e605;
                                                         }
-                                                        let _e1373 = phi_2111_;
-                                                        phi_2112_ = _e1373;
+                                                        let _e1185 = phi_2111_;
+                                                        phi_2112_ = _e1185;
                                                     } else {
-                                                        phi_2112_ = _e793;
+                                                        phi_2112_ = _e605;
                                                     }
-                                                    let _e1375 = phi_2112_;
-                                                    phi_2113_ = _e1375;
+                                                    let _e1187 = phi_2112_;
+                                                    phi_2113_ = _e1187;
                                                 } else {
-                                                    phi_2113_ = _e793;
+                                                    phi_2113_ = _e605;
                                                 }
-                                                let _e1377 = phi_2113_;
-                                                phi_1042_ = _e1377;
+                                                let _e1189 = phi_2113_;
+                                                phi_1042_ = _e1189;
                                             } else {
                                                 phi_1042_ = type_40();
                                             }
-                                            let _e1379 = phi_1042_;
+                                            let _e1191 = phi_1042_;
                                             continue;
                                             continuing {
-                                                phi_1041_ = _e1379;
-                                                phi_1044_ = _e808;
-                                                phi_2784_ = _e566;
-                                                break if !(_e814);
+                                                phi_1041_ = _e1191;
+                                                phi_1044_ = _e620;
+                                                phi_2788_ = _e566;
+                                                break if !(_e626);
                                             }
                                         }
-                                        let _e1382 = phi_2784_;
-                                        phi_2944_ = _e1382;
-                                        if _e1382 {
+                                        let _e1194 = phi_2788_;
+                                        phi_2948_ = _e1194;
+                                        if _e1194 {
                                             break;
                                         }
-                                        phi_2948_ = _e1382;
-                                        let _e1668 = local_3;
-                                        phi_2599_ = _e1668;
-                                        phi_2600_ = false;
-                                        phi_2601_ = _e593;
-                                        phi_2602_ = _e595;
+                                        phi_2983_ = _e1194;
+                                        let _e1659 = local_3;
+                                        phi_2114_ = _e1659;
+                                    } else {
+                                        phi_2983_ = _e566;
+                                        phi_2114_ = _e568;
+                                    }
+                                    let _e1196 = phi_2983_;
+                                    let _e1198 = phi_2114_;
+                                    if _e598 {
+                                        phi_2594_ = bool();
+                                        phi_2595_ = u32();
+                                        phi_2596_ = u32();
                                     } else {
                                         if (_e595 >= _e75) {
-                                            phi_2183_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_2179_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e595 < _e75) {
                                             } else {
-                                                phi_2944_ = true;
+                                                phi_2948_ = true;
                                                 break;
                                             }
-                                            let _e605 = (_e203 % 3u);
-                                            if (_e605 < 3u) {
+                                            let _e1201 = (_e203 % 3u);
+                                            if (_e1201 < 3u) {
                                             } else {
-                                                phi_2944_ = true;
+                                                phi_2948_ = true;
                                                 break;
                                             }
-                                            let _e611 = global_2.member[_e595].member[_e605];
-                                            let _e617 = (_e202 % 3u);
-                                            if (_e617 < 3u) {
+                                            let _e1207 = global_2.member[_e595].member[_e1201];
+                                            let _e1213 = (_e202 % 3u);
+                                            if (_e1213 < 3u) {
                                             } else {
-                                                phi_2944_ = true;
+                                                phi_2948_ = true;
                                                 break;
                                             }
-                                            let _e623 = global_2.member[_e595].member[_e617];
-                                            let _e629 = (_e204 % 3u);
-                                            if (_e629 < 3u) {
+                                            let _e1219 = global_2.member[_e595].member[_e1213];
+                                            let _e1225 = (_e204 % 3u);
+                                            if (_e1225 < 3u) {
                                             } else {
-                                                phi_2944_ = true;
+                                                phi_2948_ = true;
                                                 break;
                                             }
-                                            let _e635 = global_2.member[_e595].member[_e629];
-                                            let _e645 = global_2.member[_e595].member_1;
-                                            let _e649 = global_2.member[_e595].member_2;
-                                            phi_2183_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e611[0], _e611[1], _e611[2], _e611[3]), vec4<f32>(_e623[0], _e623[1], _e623[2], _e623[3]), vec4<f32>(_e635[0], _e635[1], _e635[2], _e635[3])), _e645, _e649);
+                                            let _e1231 = global_2.member[_e595].member[_e1225];
+                                            let _e1241 = global_2.member[_e595].member_1;
+                                            let _e1245 = global_2.member[_e595].member_2;
+                                            phi_2179_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e1207[0], _e1207[1], _e1207[2], _e1207[3]), vec4<f32>(_e1219[0], _e1219[1], _e1219[2], _e1219[3]), vec4<f32>(_e1231[0], _e1231[1], _e1231[2], _e1231[3])), _e1241, _e1245);
                                         }
-                                        let _e652 = phi_2183_;
-                                        let _e664 = ((_e652.member[0].x - _e305) * _e310);
-                                        let _e665 = ((_e652.member[0].y - _e305) * _e310);
-                                        let _e666 = ((_e652.member[0].z - _e306) * _e310);
-                                        let _e667 = ((_e652.member[0].w - _e306) * _e310);
-                                        let _e677 = ((_e652.member[1].x - _e373) * _e378);
-                                        let _e678 = ((_e652.member[1].y - _e373) * _e378);
-                                        let _e679 = ((_e652.member[1].z - _e374) * _e378);
-                                        let _e680 = ((_e652.member[1].w - _e374) * _e378);
-                                        let _e690 = ((_e652.member[2].x - _e441) * _e446);
-                                        let _e691 = ((_e652.member[2].y - _e441) * _e446);
-                                        let _e692 = ((_e652.member[2].z - _e442) * _e446);
-                                        let _e693 = ((_e652.member[2].w - _e442) * _e446);
-                                        let _e695 = select(_e692, _e690, (_e690 < _e692));
-                                        let _e697 = select(_e693, _e691, (_e691 < _e693));
-                                        let _e699 = select(_e692, _e690, (_e690 > _e692));
-                                        let _e701 = select(_e693, _e691, (_e691 > _e693));
-                                        let _e703 = select(_e666, _e664, (_e664 < _e666));
-                                        let _e705 = select(_e667, _e665, (_e665 < _e667));
-                                        let _e707 = select(_e679, _e677, (_e677 < _e679));
-                                        let _e709 = select(_e680, _e678, (_e678 < _e680));
-                                        let _e711 = select(_e707, _e703, (_e703 > _e707));
-                                        let _e713 = select(_e709, _e705, (_e705 > _e709));
-                                        let _e715 = select(_e695, _e711, (_e711 > _e695));
-                                        let _e717 = select(_e697, _e713, (_e713 > _e697));
-                                        let _e719 = select(_e666, _e664, (_e664 > _e666));
-                                        let _e721 = select(_e667, _e665, (_e665 > _e667));
-                                        let _e723 = select(_e679, _e677, (_e677 > _e679));
-                                        let _e725 = select(_e680, _e678, (_e678 > _e680));
-                                        let _e727 = select(_e723, _e719, (_e719 < _e723));
-                                        let _e729 = select(_e725, _e721, (_e721 < _e725));
-                                        let _e734 = -(_e695);
-                                        let _e735 = -(_e697);
-                                        let _e742 = (select(_e699, _e727, (_e727 < _e699)) + (select(_e734, _e699, (_e699 > _e734)) * 0.0000019073523f));
-                                        let _e743 = (select(_e701, _e729, (_e729 < _e701)) + (select(_e735, _e701, (_e701 > _e735)) * 0.0000019073523f));
-                                        let _e745 = select(_e558, _e715, (_e715 > _e558));
-                                        let _e747 = select(_e558, _e717, (_e717 > _e558));
-                                        let _e752 = (_e745 <= select(_e568.member_1, _e742, (_e742 < _e568.member_1)));
-                                        let _e753 = (_e747 <= select(_e568.member_1, _e743, (_e743 < _e568.member_1)));
-                                        let _e754 = (_e745 <= _e747);
-                                        if _e752 {
-                                            if _e753 {
-                                                if _e754 {
-                                                    phi_2545_ = _e652.member_2;
+                                        let _e1248 = phi_2179_;
+                                        let _e1260 = ((_e1248.member[0].x - _e305) * _e310);
+                                        let _e1261 = ((_e1248.member[0].y - _e305) * _e310);
+                                        let _e1262 = ((_e1248.member[0].z - _e306) * _e310);
+                                        let _e1263 = ((_e1248.member[0].w - _e306) * _e310);
+                                        let _e1273 = ((_e1248.member[1].x - _e373) * _e378);
+                                        let _e1274 = ((_e1248.member[1].y - _e373) * _e378);
+                                        let _e1275 = ((_e1248.member[1].z - _e374) * _e378);
+                                        let _e1276 = ((_e1248.member[1].w - _e374) * _e378);
+                                        let _e1286 = ((_e1248.member[2].x - _e441) * _e446);
+                                        let _e1287 = ((_e1248.member[2].y - _e441) * _e446);
+                                        let _e1288 = ((_e1248.member[2].z - _e442) * _e446);
+                                        let _e1289 = ((_e1248.member[2].w - _e442) * _e446);
+                                        let _e1291 = select(_e1288, _e1286, (_e1286 < _e1288));
+                                        let _e1293 = select(_e1289, _e1287, (_e1287 < _e1289));
+                                        let _e1295 = select(_e1288, _e1286, (_e1286 > _e1288));
+                                        let _e1297 = select(_e1289, _e1287, (_e1287 > _e1289));
+                                        let _e1299 = select(_e1262, _e1260, (_e1260 < _e1262));
+                                        let _e1301 = select(_e1263, _e1261, (_e1261 < _e1263));
+                                        let _e1303 = select(_e1275, _e1273, (_e1273 < _e1275));
+                                        let _e1305 = select(_e1276, _e1274, (_e1274 < _e1276));
+                                        let _e1307 = select(_e1303, _e1299, (_e1299 > _e1303));
+                                        let _e1309 = select(_e1305, _e1301, (_e1301 > _e1305));
+                                        let _e1311 = select(_e1291, _e1307, (_e1307 > _e1291));
+                                        let _e1313 = select(_e1293, _e1309, (_e1309 > _e1293));
+                                        let _e1315 = select(_e1262, _e1260, (_e1260 > _e1262));
+                                        let _e1317 = select(_e1263, _e1261, (_e1261 > _e1263));
+                                        let _e1319 = select(_e1275, _e1273, (_e1273 > _e1275));
+                                        let _e1321 = select(_e1276, _e1274, (_e1274 > _e1276));
+                                        let _e1323 = select(_e1319, _e1315, (_e1315 < _e1319));
+                                        let _e1325 = select(_e1321, _e1317, (_e1317 < _e1321));
+                                        let _e1330 = -(_e1291);
+                                        let _e1331 = -(_e1293);
+                                        let _e1338 = (select(_e1295, _e1323, (_e1323 < _e1295)) + (select(_e1330, _e1295, (_e1295 > _e1330)) * 0.0000019073523f));
+                                        let _e1339 = (select(_e1297, _e1325, (_e1325 < _e1297)) + (select(_e1331, _e1297, (_e1297 > _e1331)) * 0.0000019073523f));
+                                        let _e1341 = select(_e558, _e1311, (_e1311 > _e558));
+                                        let _e1343 = select(_e558, _e1313, (_e1313 > _e558));
+                                        let _e1348 = (_e1341 <= select(_e1198.member_1, _e1338, (_e1338 < _e1198.member_1)));
+                                        let _e1349 = (_e1343 <= select(_e1198.member_1, _e1339, (_e1339 < _e1198.member_1)));
+                                        let _e1350 = (_e1341 <= _e1343);
+                                        if _e1348 {
+                                            if _e1349 {
+                                                if _e1350 {
+                                                    phi_2541_ = _e1248.member_2;
                                                 } else {
-                                                    phi_2545_ = _e652.member_1;
+                                                    phi_2541_ = _e1248.member_1;
                                                 }
-                                                let _e758 = phi_2545_;
-                                                let _e761 = (_e593 % 128u);
-                                                let _e762 = (_e761 < 128u);
-                                                if _e762 {
+                                                let _e1354 = phi_2541_;
+                                                let _e1356 = (_e593 % 128u);
+                                                let _e1357 = (_e1356 < 128u);
+                                                if _e1357 {
                                                 } else {
-                                                    phi_2944_ = true;
+                                                    phi_2948_ = true;
                                                     break;
                                                 }
-                                                local_1[_e761] = _e758;
-                                                if _e762 {
+                                                local_1[_e1356] = _e1354;
+                                                if _e1357 {
                                                 } else {
-                                                    phi_2944_ = true;
+                                                    phi_2948_ = true;
                                                     break;
                                                 }
-                                                local[_e761] = select(_e747, _e745, !(_e754));
-                                                if _e754 {
-                                                    phi_2573_ = _e652.member_1;
+                                                local[_e1356] = select(_e1341, _e1343, _e1350);
+                                                if _e1350 {
+                                                    phi_2568_ = _e1248.member_1;
                                                 } else {
-                                                    phi_2573_ = _e652.member_2;
+                                                    phi_2568_ = _e1248.member_2;
                                                 }
-                                                let _e769 = phi_2573_;
-                                                phi_2574_ = (_e593 + 1u);
-                                                phi_2575_ = _e769;
+                                                let _e1364 = phi_2568_;
+                                                phi_2569_ = (_e593 + 1u);
+                                                phi_2570_ = _e1364;
                                             } else {
-                                                phi_2574_ = u32();
-                                                phi_2575_ = u32();
+                                                phi_2569_ = u32();
+                                                phi_2570_ = u32();
                                             }
-                                            let _e771 = phi_2574_;
-                                            let _e773 = phi_2575_;
-                                            phi_2577_ = _e771;
-                                            phi_2578_ = _e773;
-                                            phi_2579_ = select(true, false, _e753);
+                                            let _e1366 = phi_2569_;
+                                            let _e1368 = phi_2570_;
+                                            phi_2572_ = _e1366;
+                                            phi_2573_ = _e1368;
+                                            phi_2574_ = select(true, false, _e1349);
                                         } else {
-                                            phi_2577_ = u32();
-                                            phi_2578_ = u32();
-                                            phi_2579_ = true;
+                                            phi_2572_ = u32();
+                                            phi_2573_ = u32();
+                                            phi_2574_ = true;
                                         }
-                                        let _e776 = phi_2577_;
-                                        let _e778 = phi_2578_;
-                                        let _e780 = phi_2579_;
-                                        if _e780 {
-                                            if _e752 {
-                                                phi_2588_ = _e652.member_1;
+                                        let _e1371 = phi_2572_;
+                                        let _e1373 = phi_2573_;
+                                        let _e1375 = phi_2574_;
+                                        if _e1375 {
+                                            if _e1348 {
+                                                phi_2583_ = _e1248.member_1;
                                             } else {
-                                                phi_2588_ = _e652.member_2;
+                                                phi_2583_ = _e1248.member_2;
                                             }
-                                            let _e784 = phi_2588_;
-                                            phi_2593_ = select(_e753, true, _e752);
-                                            phi_2595_ = _e784;
+                                            let _e1379 = phi_2583_;
+                                            phi_2588_ = select(_e1349, true, _e1348);
+                                            phi_2590_ = _e1379;
                                         } else {
-                                            phi_2593_ = _e591;
-                                            phi_2595_ = _e778;
+                                            phi_2588_ = _e591;
+                                            phi_2590_ = _e1373;
                                         }
-                                        let _e787 = phi_2593_;
-                                        let _e789 = phi_2595_;
-                                        phi_2948_ = _e566;
-                                        phi_2599_ = _e568;
-                                        phi_2600_ = _e787;
-                                        phi_2601_ = select(_e776, _e593, _e780);
-                                        phi_2602_ = _e789;
+                                        let _e1382 = phi_2588_;
+                                        let _e1384 = phi_2590_;
+                                        phi_2594_ = _e1382;
+                                        phi_2595_ = select(_e1371, _e593, _e1375);
+                                        phi_2596_ = _e1384;
                                     }
-                                    let _e1384 = phi_2948_;
-                                    let _e1386 = phi_2599_;
-                                    let _e1388 = phi_2600_;
-                                    let _e1390 = phi_2601_;
-                                    let _e1392 = phi_2602_;
-                                    phi_2947_ = _e1384;
-                                    phi_2603_ = _e1386;
-                                    phi_2604_ = _e1388;
-                                    phi_2605_ = (_e572 - 1u);
-                                    phi_2606_ = _e1390;
-                                    phi_2607_ = _e1392;
+                                    let _e1387 = phi_2594_;
+                                    let _e1389 = phi_2595_;
+                                    let _e1391 = phi_2596_;
+                                    phi_2951_ = _e1196;
+                                    phi_2607_ = _e1198;
+                                    phi_2608_ = (_e570 - 1u);
+                                    phi_2609_ = select(_e1387, false, _e598);
+                                    phi_2610_ = select(_e1389, _e593, _e598);
+                                    phi_2611_ = select(_e1391, _e595, _e598);
                                 } else {
-                                    phi_2947_ = _e566;
-                                    phi_2603_ = _e568;
-                                    phi_2604_ = _e591;
-                                    phi_2605_ = _e572;
-                                    phi_2606_ = _e593;
-                                    phi_2607_ = _e595;
+                                    phi_2951_ = _e566;
+                                    phi_2607_ = _e568;
+                                    phi_2608_ = _e570;
+                                    phi_2609_ = _e591;
+                                    phi_2610_ = _e593;
+                                    phi_2611_ = _e595;
                                 }
-                                let _e1394 = phi_2947_;
-                                let _e1396 = phi_2603_;
-                                let _e1398 = phi_2604_;
-                                let _e1400 = phi_2605_;
-                                let _e1402 = phi_2606_;
-                                let _e1404 = phi_2607_;
-                                phi_2946_ = _e1394;
-                                phi_2608_ = _e1396;
-                                phi_2609_ = _e1398;
-                                phi_2610_ = _e1400;
-                                phi_2611_ = _e1402;
-                                phi_2612_ = _e1404;
+                                let _e1396 = phi_2951_;
+                                let _e1398 = phi_2607_;
+                                let _e1400 = phi_2608_;
+                                let _e1402 = phi_2609_;
+                                let _e1404 = phi_2610_;
+                                let _e1406 = phi_2611_;
+                                phi_2950_ = _e1396;
+                                phi_2612_ = _e1398;
+                                phi_2613_ = _e1400;
+                                phi_2614_ = _e1402;
+                                phi_2615_ = _e1404;
+                                phi_2616_ = _e1406;
                             } else {
-                                phi_2946_ = _e566;
-                                phi_2608_ = type_40();
-                                phi_2609_ = bool();
-                                phi_2610_ = u32();
-                                phi_2611_ = u32();
-                                phi_2612_ = u32();
+                                phi_2950_ = _e566;
+                                phi_2612_ = type_40();
+                                phi_2613_ = u32();
+                                phi_2614_ = bool();
+                                phi_2615_ = u32();
+                                phi_2616_ = u32();
                             }
-                            let _e1406 = phi_2946_;
-                            let _e1408 = phi_2608_;
-                            let _e1410 = phi_2609_;
-                            let _e1412 = phi_2610_;
-                            let _e1414 = phi_2611_;
-                            let _e1416 = phi_2612_;
-                            phi_2945_ = _e1406;
-                            phi_973_ = _e1408;
-                            phi_976_ = _e1410;
-                            phi_978_ = _e1412;
-                            phi_980_ = _e1414;
-                            phi_982_ = _e1416;
-                            phi_2613_ = _e580;
+                            let _e1408 = phi_2950_;
+                            let _e1410 = phi_2612_;
+                            let _e1412 = phi_2613_;
+                            let _e1414 = phi_2614_;
+                            let _e1416 = phi_2615_;
+                            let _e1418 = phi_2616_;
+                            phi_2949_ = _e1408;
+                            phi_973_ = _e1410;
+                            phi_976_ = _e1412;
+                            phi_978_ = _e1414;
+                            phi_980_ = _e1416;
+                            phi_982_ = _e1418;
+                            phi_2617_ = _e580;
                         } else {
-                            phi_2945_ = _e566;
+                            phi_2949_ = _e566;
                             phi_973_ = type_40();
-                            phi_976_ = bool();
-                            phi_978_ = u32();
+                            phi_976_ = u32();
+                            phi_978_ = bool();
                             phi_980_ = u32();
                             phi_982_ = u32();
-                            phi_2613_ = false;
+                            phi_2617_ = false;
                         }
-                        let _e1418 = phi_2945_;
-                        let _e1420 = phi_973_;
-                        let _e1422 = phi_976_;
-                        let _e1424 = phi_978_;
-                        let _e1426 = phi_980_;
-                        let _e1428 = phi_982_;
-                        let _e1430 = phi_2613_;
+                        let _e1420 = phi_2949_;
+                        let _e1422 = phi_973_;
+                        let _e1424 = phi_976_;
+                        let _e1426 = phi_978_;
+                        let _e1428 = phi_980_;
+                        let _e1430 = phi_982_;
+                        let _e1432 = phi_2617_;
                         continue;
                         continuing {
-                            phi_2790_ = _e1418;
-                            phi_972_ = _e1420;
-                            phi_975_ = _e1422;
-                            phi_977_ = _e1424;
-                            phi_979_ = _e1426;
-                            phi_981_ = _e1428;
-                            phi_2944_ = _e1418;
-                            break if !(_e1430);
+                            phi_2794_ = _e1420;
+                            phi_972_ = _e1422;
+                            phi_975_ = _e1424;
+                            phi_977_ = _e1426;
+                            phi_979_ = _e1428;
+                            phi_981_ = _e1430;
+                            phi_2948_ = _e1420;
+                            break if !(_e1432);
                         }
                     }
-                    let _e1433 = phi_2944_;
-                    if _e1433 {
+                    let _e1435 = phi_2948_;
+                    if _e1435 {
                         break;
                     }
-                    let _e1435 = local_2;
-                    if (_e1435.member.member_3 != 4294967295u) {
-                        let _e1440 = -(_e460);
-                        let _e1441 = bitcast<u32>(_e1435.member.member);
-                        let _e1445 = (bitcast<i32>((_e1441 >> bitcast<u32>(23i))) & 255i);
-                        let _e1446 = (_e1445 + _e1440);
-                        if (_e1445 == 255i) {
-                            phi_2672_ = _e1435.member.member;
+                    let _e1437 = local_2;
+                    if (_e1437.member.member_3 != 4294967295u) {
+                        let _e1442 = -(_e460);
+                        let _e1443 = bitcast<u32>(_e1437.member.member);
+                        let _e1447 = (bitcast<i32>((_e1443 >> bitcast<u32>(23i))) & 255i);
+                        let _e1448 = (_e1447 + _e1442);
+                        if (_e1447 == 255i) {
+                            phi_2676_ = _e1437.member.member;
                         } else {
-                            if (_e1445 > 0i) {
-                                if (_e1446 > 0i) {
-                                    let _e1450 = (_e1446 < 255i);
-                                    if _e1450 {
-                                        phi_2651_ = bitcast<f32>((_e1441 + bitcast<u32>((_e1440 << bitcast<u32>(23i)))));
+                            if (_e1447 > 0i) {
+                                if (_e1448 > 0i) {
+                                    let _e1452 = (_e1448 < 255i);
+                                    if _e1452 {
+                                        phi_2655_ = bitcast<f32>((_e1443 + bitcast<u32>((_e1442 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_2651_ = f32();
+                                        phi_2655_ = f32();
                                     }
-                                    let _e1457 = phi_2651_;
-                                    phi_2653_ = _e1457;
-                                    phi_2654_ = select(true, false, _e1450);
+                                    let _e1459 = phi_2655_;
+                                    phi_2657_ = _e1459;
+                                    phi_2658_ = select(true, false, _e1452);
                                 } else {
-                                    phi_2653_ = f32();
-                                    phi_2654_ = true;
+                                    phi_2657_ = f32();
+                                    phi_2658_ = true;
                                 }
-                                let _e1460 = phi_2653_;
-                                let _e1462 = phi_2654_;
-                                phi_2655_ = _e1460;
-                                phi_2656_ = _e1462;
+                                let _e1462 = phi_2657_;
+                                let _e1464 = phi_2658_;
+                                phi_2659_ = _e1462;
+                                phi_2660_ = _e1464;
                             } else {
-                                phi_2655_ = f32();
-                                phi_2656_ = true;
+                                phi_2659_ = f32();
+                                phi_2660_ = true;
                             }
-                            let _e1464 = phi_2655_;
-                            let _e1466 = phi_2656_;
-                            if _e1466 {
-                                let _e1467 = (_e1441 & 2147483648u);
-                                let _e1474 = ((_e1441 & 8388607u) | (select(0u, 1u, ((_e1441 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1478 = (_e1474 == 0u);
-                                if _e1478 {
-                                    phi_2779_ = bitcast<f32>(_e1467);
+                            let _e1466 = phi_2659_;
+                            let _e1468 = phi_2660_;
+                            if _e1468 {
+                                let _e1469 = (_e1443 & 2147483648u);
+                                let _e1476 = ((_e1443 & 8388607u) | (select(0u, 1u, ((_e1443 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1480 = (_e1476 == 0u);
+                                if _e1480 {
+                                    phi_2783_ = bitcast<f32>(_e1469);
                                 } else {
-                                    let _e1483 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1474)), 32u, _e1478) - 8u);
-                                    let _e1486 = (_e1474 << bitcast<u32>((_e1483 & 31u)));
-                                    let _e1488 = ((_e1446 + select(0i, 1i, (_e1445 == 0i))) - bitcast<i32>(_e1483));
-                                    if (_e1488 >= 255i) {
-                                        phi_2769_ = bitcast<f32>((_e1467 | 2139095040u));
-                                        phi_2770_ = f32();
-                                        phi_2771_ = true;
+                                    let _e1485 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1476)), 32u, _e1480) - 8u);
+                                    let _e1488 = (_e1476 << bitcast<u32>((_e1485 & 31u)));
+                                    let _e1490 = ((_e1448 + select(0i, 1i, (_e1447 == 0i))) - bitcast<i32>(_e1485));
+                                    if (_e1490 >= 255i) {
+                                        phi_2773_ = bitcast<f32>((_e1469 | 2139095040u));
+                                        phi_2774_ = f32();
+                                        phi_2775_ = true;
                                     } else {
-                                        let _e1490 = (_e1488 > 0i);
-                                        if _e1490 {
-                                            phi_2763_ = bitcast<f32>(((_e1467 | (bitcast<u32>(_e1488) << bitcast<u32>(23i))) | (_e1486 & 8388607u)));
-                                            phi_2764_ = f32();
+                                        let _e1492 = (_e1490 > 0i);
+                                        if _e1492 {
+                                            phi_2767_ = bitcast<f32>(((_e1469 | (bitcast<u32>(_e1490) << bitcast<u32>(23i))) | (_e1488 & 8388607u)));
+                                            phi_2768_ = f32();
                                         } else {
-                                            if (_e1488 < -24i) {
-                                                phi_2729_ = 26u;
+                                            if (_e1490 < -24i) {
+                                                phi_2733_ = 26u;
                                             } else {
-                                                phi_2729_ = bitcast<u32>((1i - _e1488));
+                                                phi_2733_ = bitcast<u32>((1i - _e1490));
                                             }
-                                            let _e1495 = phi_2729_;
-                                            let _e1496 = (_e1495 & 31u);
-                                            let _e1498 = (_e1486 >> bitcast<u32>(_e1496));
-                                            let _e1502 = (_e1486 & ((1u << bitcast<u32>(_e1496)) - 1u));
-                                            let _e1506 = (1u << bitcast<u32>(((_e1495 - 1u) & 31u)));
-                                            if (_e1502 > _e1506) {
-                                                phi_2750_ = true;
+                                            let _e1497 = phi_2733_;
+                                            let _e1498 = (_e1497 & 31u);
+                                            let _e1500 = (_e1488 >> bitcast<u32>(_e1498));
+                                            let _e1504 = (_e1488 & ((1u << bitcast<u32>(_e1498)) - 1u));
+                                            let _e1508 = (1u << bitcast<u32>(((_e1497 - 1u) & 31u)));
+                                            if (_e1504 > _e1508) {
+                                                phi_2754_ = true;
                                             } else {
-                                                if (_e1502 == _e1506) {
-                                                    phi_2747_ = ((_e1498 & 1u) == 1u);
+                                                if (_e1504 == _e1508) {
+                                                    phi_2751_ = ((_e1500 & 1u) == 1u);
                                                 } else {
-                                                    phi_2747_ = false;
+                                                    phi_2751_ = false;
                                                 }
-                                                let _e1512 = phi_2747_;
-                                                phi_2750_ = _e1512;
+                                                let _e1514 = phi_2751_;
+                                                phi_2754_ = _e1514;
                                             }
-                                            let _e1514 = phi_2750_;
-                                            phi_2763_ = f32();
-                                            phi_2764_ = bitcast<f32>((_e1467 | (_e1498 + select(0u, 1u, _e1514))));
+                                            let _e1516 = phi_2754_;
+                                            phi_2767_ = f32();
+                                            phi_2768_ = bitcast<f32>((_e1469 | (_e1500 + select(0u, 1u, _e1516))));
                                         }
-                                        let _e1527 = phi_2763_;
-                                        let _e1529 = phi_2764_;
-                                        phi_2769_ = _e1527;
-                                        phi_2770_ = _e1529;
-                                        phi_2771_ = _e1490;
+                                        let _e1529 = phi_2767_;
+                                        let _e1531 = phi_2768_;
+                                        phi_2773_ = _e1529;
+                                        phi_2774_ = _e1531;
+                                        phi_2775_ = _e1492;
                                     }
-                                    let _e1533 = phi_2769_;
-                                    let _e1535 = phi_2770_;
-                                    let _e1537 = phi_2771_;
-                                    phi_2779_ = select(_e1535, _e1533, _e1537);
+                                    let _e1535 = phi_2773_;
+                                    let _e1537 = phi_2774_;
+                                    let _e1539 = phi_2775_;
+                                    phi_2783_ = select(_e1537, _e1535, _e1539);
                                 }
-                                let _e1541 = phi_2779_;
-                                phi_2671_ = _e1541;
+                                let _e1543 = phi_2783_;
+                                phi_2675_ = _e1543;
                             } else {
-                                phi_2671_ = _e1464;
+                                phi_2675_ = _e1466;
                             }
-                            let _e1543 = phi_2671_;
-                            phi_2672_ = _e1543;
+                            let _e1545 = phi_2675_;
+                            phi_2676_ = _e1545;
                         }
-                        let _e1545 = phi_2672_;
-                        let _e1546 = bitcast<u32>(_e1545);
-                        if ((_e1546 & 2147483647u) >= 2139095040u) {
-                            phi_2684_ = bitcast<f32>(((_e1546 & 2147483648u) | 2139095039u));
+                        let _e1547 = phi_2676_;
+                        let _e1548 = bitcast<u32>(_e1547);
+                        if ((_e1548 & 2147483647u) >= 2139095040u) {
+                            phi_2688_ = bitcast<f32>(((_e1548 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_2684_ = _e1545;
+                            phi_2688_ = _e1547;
                         }
-                        let _e1553 = phi_2684_;
-                        phi_2689_ = type_23(_e1553, _e1435.member.member_1, _e1435.member.member_2, _e1435.member.member_3);
+                        let _e1555 = phi_2688_;
+                        phi_2693_ = type_23(_e1555, _e1437.member.member_1, _e1437.member.member_2, _e1437.member.member_3);
                     } else {
-                        phi_2689_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2693_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1558 = phi_2689_;
+                    let _e1560 = phi_2693_;
                     if _e91 {
                     } else {
                         break;
                     }
-                    global_5.member[_e85] = _e1558;
+                    global_5.member[_e85] = _e1560;
                 }
             }
             break;

@@ -128,27 +128,16 @@ fn function_() {
     var phi_1006_: u32;
     var phi_1014_: f32;
     var phi_1015_: f32;
-    var phi_3525_: bool;
+    var phi_3529_: bool;
     var phi_1098_: type_33;
-    var phi_1101_: bool;
-    var phi_1103_: u32;
+    var phi_1101_: u32;
+    var phi_1103_: bool;
     var phi_1105_: u32;
     var phi_1107_: type_49;
     var phi_1118_: bool;
     var phi_1204_: bool;
     var phi_1205_: u32;
     var phi_1206_: type_49;
-    var phi_2322_: type_42;
-    var phi_3208_: type_49;
-    var phi_3285_: type_49;
-    var phi_3286_: u32;
-    var phi_3287_: type_49;
-    var phi_3289_: u32;
-    var phi_3290_: type_49;
-    var phi_3291_: bool;
-    var phi_3298_: type_49;
-    var phi_3303_: bool;
-    var phi_3305_: type_49;
     var phi_1224_: type_33;
     var phi_1227_: type_4;
     var phi_1228_: type_4;
@@ -196,51 +185,63 @@ fn function_() {
     var phi_2295_: type_33;
     var phi_2296_: type_33;
     var phi_1225_: type_33;
-    var phi_3519_: bool;
-    var phi_3683_: bool;
-    var phi_3309_: type_33;
-    var phi_3310_: bool;
-    var phi_3311_: u32;
-    var phi_3312_: type_49;
-    var phi_3682_: bool;
-    var phi_3313_: type_33;
-    var phi_3314_: bool;
-    var phi_3315_: u32;
-    var phi_3316_: u32;
-    var phi_3317_: type_49;
-    var phi_3681_: bool;
-    var phi_3318_: type_33;
+    var phi_3523_: bool;
+    var phi_3742_: bool;
+    var phi_2297_: type_33;
+    var phi_2318_: type_42;
+    var phi_3204_: type_49;
+    var phi_3280_: type_49;
+    var phi_3281_: u32;
+    var phi_3282_: type_49;
+    var phi_3284_: u32;
+    var phi_3285_: type_49;
+    var phi_3286_: bool;
+    var phi_3293_: type_49;
+    var phi_3298_: bool;
+    var phi_3300_: type_49;
+    var phi_3304_: bool;
+    var phi_3305_: u32;
+    var phi_3306_: type_49;
+    var phi_3316_: type_49;
+    var phi_3686_: bool;
+    var phi_3317_: type_33;
+    var phi_3318_: u32;
     var phi_3319_: bool;
     var phi_3320_: u32;
-    var phi_3321_: u32;
-    var phi_3322_: type_49;
-    var phi_3680_: bool;
+    var phi_3321_: type_49;
+    var phi_3685_: bool;
+    var phi_3322_: type_33;
+    var phi_3323_: u32;
+    var phi_3324_: bool;
+    var phi_3325_: u32;
+    var phi_3326_: type_49;
+    var phi_3684_: bool;
     var phi_1099_: type_33;
-    var phi_1102_: bool;
-    var phi_1104_: u32;
+    var phi_1102_: u32;
+    var phi_1104_: bool;
     var phi_1106_: u32;
     var phi_1108_: type_49;
-    var phi_3323_: bool;
-    var phi_3679_: bool;
+    var phi_3327_: bool;
+    var phi_3683_: bool;
     var local_10: type_33;
-    var phi_3361_: f32;
-    var phi_3363_: f32;
-    var phi_3364_: bool;
     var phi_3365_: f32;
-    var phi_3366_: bool;
-    var phi_3439_: u32;
-    var phi_3457_: bool;
-    var phi_3460_: bool;
-    var phi_3473_: f32;
-    var phi_3474_: f32;
-    var phi_3479_: f32;
-    var phi_3480_: f32;
-    var phi_3481_: bool;
-    var phi_3489_: f32;
-    var phi_3381_: f32;
-    var phi_3382_: f32;
-    var phi_3394_: f32;
-    var phi_3399_: type_22;
+    var phi_3367_: f32;
+    var phi_3368_: bool;
+    var phi_3369_: f32;
+    var phi_3370_: bool;
+    var phi_3443_: u32;
+    var phi_3461_: bool;
+    var phi_3464_: bool;
+    var phi_3477_: f32;
+    var phi_3478_: f32;
+    var phi_3483_: f32;
+    var phi_3484_: f32;
+    var phi_3485_: bool;
+    var phi_3493_: f32;
+    var phi_3385_: f32;
+    var phi_3386_: f32;
+    var phi_3398_: f32;
+    var phi_3403_: type_22;
     var local_11: type_33;
 
     switch bitcast<i32>(0u) {
@@ -604,31 +605,31 @@ fn function_() {
                         break;
                     }
                     let _e628 = local_8[_e617];
-                    phi_3525_ = false;
+                    phi_3529_ = false;
                     phi_1098_ = type_33(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e602);
-                    phi_1101_ = (_e604 <= _e602);
-                    phi_1103_ = ((3u * _e87) + 1u);
+                    phi_1101_ = ((3u * _e87) + 1u);
+                    phi_1103_ = (_e604 <= _e602);
                     phi_1105_ = 0u;
                     phi_1107_ = type_49(type_47(array<f32, 3>(_e612, _e616, _e620), array<f32, 3>(_e624, _e626, _e628)), select(0u, 2147483648u, (_e87 == 0u)));
                     loop {
-                        let _e636 = phi_3525_;
+                        let _e636 = phi_3529_;
                         let _e638 = phi_1098_;
                         let _e640 = phi_1101_;
                         let _e642 = phi_1103_;
                         let _e644 = phi_1105_;
                         let _e646 = phi_1107_;
                         local_10 = _e638;
-                        if _e640 {
+                        if _e642 {
                             phi_1118_ = true;
                         } else {
                             phi_1118_ = (_e644 > 0u);
                         }
                         let _e649 = phi_1118_;
                         if _e649 {
-                            let _e650 = (_e642 > 0u);
+                            let _e650 = (_e640 > 0u);
                             if _e650 {
-                                if _e640 {
-                                    phi_1204_ = _e640;
+                                if _e642 {
+                                    phi_1204_ = _e642;
                                     phi_1205_ = _e644;
                                     phi_1206_ = _e646;
                                 } else {
@@ -637,49 +638,49 @@ fn function_() {
                                     let _e653 = (_e652 < 128u);
                                     if _e653 {
                                     } else {
-                                        phi_3679_ = true;
+                                        phi_3683_ = true;
                                         break;
                                     }
                                     let _e655 = local_6[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3679_ = true;
+                                        phi_3683_ = true;
                                         break;
                                     }
                                     let _e657 = local_5[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3679_ = true;
+                                        phi_3683_ = true;
                                         break;
                                     }
                                     let _e659 = local_4[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3679_ = true;
+                                        phi_3683_ = true;
                                         break;
                                     }
                                     let _e661 = local_3[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3679_ = true;
+                                        phi_3683_ = true;
                                         break;
                                     }
                                     let _e664 = local_2[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3679_ = true;
+                                        phi_3683_ = true;
                                         break;
                                     }
                                     let _e666 = local_1[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3679_ = true;
+                                        phi_3683_ = true;
                                         break;
                                     }
                                     let _e668 = local[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3679_ = true;
+                                        phi_3683_ = true;
                                         break;
                                     }
                                     let _e673 = local_7[_e652];
@@ -691,850 +692,860 @@ fn function_() {
                                 let _e679 = phi_1205_;
                                 let _e681 = phi_1206_;
                                 if _e677 {
-                                    if ((_e681.member_1 & 2147483648u) != 0u) {
+                                    let _e685 = ((_e681.member_1 & 2147483648u) != 0u);
+                                    if _e685 {
                                         phi_1224_ = _e638;
                                         phi_1227_ = type_4(0u, ((_e681.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1057 = phi_1224_;
-                                            let _e1059 = phi_1227_;
-                                            local_11 = _e1057;
-                                            if (_e1059.member < _e1059.member_1) {
-                                                phi_1228_ = type_4((_e1059.member + 1u), _e1059.member_1);
-                                                phi_1250_ = type_4(1u, _e1059.member);
+                                            let _e692 = phi_1224_;
+                                            let _e694 = phi_1227_;
+                                            local_11 = _e692;
+                                            if (_e694.member < _e694.member_1) {
+                                                phi_1228_ = type_4((_e694.member + 1u), _e694.member_1);
+                                                phi_1250_ = type_4(1u, _e694.member);
                                             } else {
-                                                phi_1228_ = _e1059;
+                                                phi_1228_ = _e694;
                                                 phi_1250_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1072 = phi_1228_;
-                                            let _e1074 = phi_1250_;
-                                            let _e1078 = (bitcast<i32>(_e1074.member) != 0i);
-                                            if _e1078 {
-                                                let _e1079 = ((_e681.member_1 & 268435455u) + _e1074.member_1);
-                                                let _e1080 = (_e1079 < _e89);
-                                                if _e1080 {
-                                                    if _e1080 {
+                                            let _e707 = phi_1228_;
+                                            let _e709 = phi_1250_;
+                                            let _e713 = (bitcast<i32>(_e709.member) != 0i);
+                                            if _e713 {
+                                                let _e714 = ((_e681.member_1 & 268435455u) + _e709.member_1);
+                                                let _e715 = (_e714 < _e89);
+                                                if _e715 {
+                                                    if _e715 {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
-                                                    let _e1084 = global_2.member[_e1079].member_1;
-                                                    phi_1271_ = _e1084;
+                                                    let _e719 = global_2.member[_e714].member_1;
+                                                    phi_1271_ = _e719;
                                                 } else {
                                                     phi_1271_ = 4294967295u;
                                                 }
-                                                let _e1086 = phi_1271_;
-                                                if (_e1079 >= _e89) {
+                                                let _e721 = phi_1271_;
+                                                if (_e714 >= _e89) {
                                                     phi_1363_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1080 {
+                                                    if _e715 {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
                                                     if (_e609 < 9u) {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
-                                                    let _e1093 = global_2.member[_e1079].member[_e609];
+                                                    let _e728 = global_2.member[_e714].member[_e609];
                                                     if (_e613 < 9u) {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
-                                                    let _e1099 = global_2.member[_e1079].member[_e613];
+                                                    let _e734 = global_2.member[_e714].member[_e613];
                                                     if (_e617 < 9u) {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
-                                                    let _e1105 = global_2.member[_e1079].member[_e617];
-                                                    let _e1107 = (3u + _e609);
-                                                    if (_e1107 < 9u) {
+                                                    let _e740 = global_2.member[_e714].member[_e617];
+                                                    let _e742 = (3u + _e609);
+                                                    if (_e742 < 9u) {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
-                                                    let _e1113 = global_2.member[_e1079].member[_e1107];
-                                                    let _e1114 = (3u + _e613);
-                                                    if (_e1114 < 9u) {
+                                                    let _e748 = global_2.member[_e714].member[_e742];
+                                                    let _e749 = (3u + _e613);
+                                                    if (_e749 < 9u) {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
-                                                    let _e1120 = global_2.member[_e1079].member[_e1114];
-                                                    let _e1121 = (3u + _e617);
-                                                    if (_e1121 < 9u) {
+                                                    let _e755 = global_2.member[_e714].member[_e749];
+                                                    let _e756 = (3u + _e617);
+                                                    if (_e756 < 9u) {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
-                                                    let _e1127 = global_2.member[_e1079].member[_e1121];
-                                                    let _e1129 = (6u + _e609);
-                                                    if (_e1129 < 9u) {
+                                                    let _e762 = global_2.member[_e714].member[_e756];
+                                                    let _e764 = (6u + _e609);
+                                                    if (_e764 < 9u) {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
-                                                    let _e1135 = global_2.member[_e1079].member[_e1129];
-                                                    let _e1136 = (6u + _e613);
-                                                    if (_e1136 < 9u) {
+                                                    let _e770 = global_2.member[_e714].member[_e764];
+                                                    let _e771 = (6u + _e613);
+                                                    if (_e771 < 9u) {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
-                                                    let _e1142 = global_2.member[_e1079].member[_e1136];
-                                                    let _e1143 = (6u + _e617);
-                                                    if (_e1143 < 9u) {
+                                                    let _e777 = global_2.member[_e714].member[_e771];
+                                                    let _e778 = (6u + _e617);
+                                                    if (_e778 < 9u) {
                                                     } else {
-                                                        phi_3519_ = true;
+                                                        phi_3523_ = true;
                                                         break;
                                                     }
-                                                    let _e1149 = global_2.member[_e1079].member[_e1143];
-                                                    phi_1363_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1093, _e1099, _e1105), array<f32, 3>(_e1113, _e1120, _e1127), array<f32, 3>(_e1135, _e1142, _e1149));
+                                                    let _e784 = global_2.member[_e714].member[_e778];
+                                                    phi_1363_ = array<array<f32, 3>, 3>(array<f32, 3>(_e728, _e734, _e740), array<f32, 3>(_e748, _e755, _e762), array<f32, 3>(_e770, _e777, _e784));
                                                 }
-                                                let _e1153 = phi_1363_;
-                                                let _e1161 = (_e1153[0][2] - _e450);
-                                                let _e1164 = (((_e1153[0][0] - _e313) * _e489) - (_e1161 * _e353));
-                                                let _e1167 = (((_e1153[0][1] - _e382) * _e489) - (_e1161 * _e421));
-                                                let _e1174 = (_e1153[1][2] - _e450);
-                                                let _e1177 = (((_e1153[1][0] - _e313) * _e489) - (_e1174 * _e353));
-                                                let _e1180 = (((_e1153[1][1] - _e382) * _e489) - (_e1174 * _e421));
-                                                let _e1187 = (_e1153[2][2] - _e450);
-                                                let _e1190 = (((_e1153[2][0] - _e313) * _e489) - (_e1187 * _e353));
-                                                let _e1193 = (((_e1153[2][1] - _e382) * _e489) - (_e1187 * _e421));
-                                                let _e1194 = (_e1190 * _e1180);
-                                                let _e1195 = (_e1193 * _e1177);
-                                                let _e1196 = (_e1164 * _e1193);
-                                                let _e1197 = (_e1167 * _e1190);
-                                                let _e1198 = (_e1177 * _e1167);
-                                                let _e1199 = (_e1180 * _e1164);
-                                                let _e1204 = (((_e1194 >= _e1195) && (_e1196 >= _e1197)) && (_e1198 >= _e1199));
-                                                if (_e1204 || (((_e1194 <= _e1195) && (_e1196 <= _e1197)) && (_e1198 <= _e1199))) {
-                                                    let _e1211 = select(-1f, 1f, _e1204);
-                                                    let _e1213 = ((_e1194 - _e1195) * _e1211);
-                                                    let _e1215 = select(0f, _e1213, (_e1213 > 0f));
-                                                    let _e1217 = ((_e1196 - _e1197) * _e1211);
-                                                    let _e1219 = select(0f, _e1217, (_e1217 > 0f));
-                                                    let _e1221 = ((_e1198 - _e1199) * _e1211);
-                                                    let _e1223 = select(0f, _e1221, (_e1221 > 0f));
-                                                    let _e1225 = ((_e1215 + _e1219) + _e1223);
-                                                    if (_e1225 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e788 = phi_1363_;
+                                                let _e796 = (_e788[0][2] - _e450);
+                                                let _e799 = (((_e788[0][0] - _e313) * _e489) - (_e796 * _e353));
+                                                let _e802 = (((_e788[0][1] - _e382) * _e489) - (_e796 * _e421));
+                                                let _e809 = (_e788[1][2] - _e450);
+                                                let _e812 = (((_e788[1][0] - _e313) * _e489) - (_e809 * _e353));
+                                                let _e815 = (((_e788[1][1] - _e382) * _e489) - (_e809 * _e421));
+                                                let _e822 = (_e788[2][2] - _e450);
+                                                let _e825 = (((_e788[2][0] - _e313) * _e489) - (_e822 * _e353));
+                                                let _e828 = (((_e788[2][1] - _e382) * _e489) - (_e822 * _e421));
+                                                let _e829 = (_e825 * _e815);
+                                                let _e830 = (_e828 * _e812);
+                                                let _e831 = (_e799 * _e828);
+                                                let _e832 = (_e802 * _e825);
+                                                let _e833 = (_e812 * _e802);
+                                                let _e834 = (_e815 * _e799);
+                                                let _e839 = (((_e829 >= _e830) && (_e831 >= _e832)) && (_e833 >= _e834));
+                                                if (_e839 || (((_e829 <= _e830) && (_e831 <= _e832)) && (_e833 <= _e834))) {
+                                                    let _e846 = select(-1f, 1f, _e839);
+                                                    let _e848 = ((_e829 - _e830) * _e846);
+                                                    let _e850 = select(0f, _e848, (_e848 > 0f));
+                                                    let _e852 = ((_e831 - _e832) * _e846);
+                                                    let _e854 = select(0f, _e852, (_e852 > 0f));
+                                                    let _e856 = ((_e833 - _e834) * _e846);
+                                                    let _e858 = select(0f, _e856, (_e856 > 0f));
+                                                    let _e860 = ((_e850 + _e854) + _e858);
+                                                    if (_e860 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2247_ = type_22();
                                                         phi_2248_ = true;
                                                         phi_2249_ = false;
                                                     } else {
-                                                        let _e1228 = select(_e1177, _e1164, (_e1164 < _e1177));
-                                                        if (select(_e1190, _e1228, (_e1228 < _e1190)) > 0f) {
+                                                        let _e863 = select(_e812, _e799, (_e799 < _e812));
+                                                        if (select(_e825, _e863, (_e863 < _e825)) > 0f) {
                                                             phi_1515_ = true;
                                                         } else {
-                                                            let _e1233 = select(_e1177, _e1164, (_e1164 > _e1177));
-                                                            phi_1515_ = (select(_e1190, _e1233, (_e1233 > _e1190)) < 0f);
+                                                            let _e868 = select(_e812, _e799, (_e799 > _e812));
+                                                            phi_1515_ = (select(_e825, _e868, (_e868 > _e825)) < 0f);
                                                         }
-                                                        let _e1238 = phi_1515_;
-                                                        if _e1238 {
+                                                        let _e873 = phi_1515_;
+                                                        if _e873 {
                                                             phi_2244_ = type_22();
                                                             phi_2245_ = true;
                                                             phi_2246_ = false;
                                                         } else {
-                                                            let _e1240 = select(_e1180, _e1167, (_e1167 < _e1180));
-                                                            if (select(_e1193, _e1240, (_e1240 < _e1193)) > 0f) {
+                                                            let _e875 = select(_e815, _e802, (_e802 < _e815));
+                                                            if (select(_e828, _e875, (_e875 < _e828)) > 0f) {
                                                                 phi_1544_ = true;
                                                             } else {
-                                                                let _e1245 = select(_e1180, _e1167, (_e1167 > _e1180));
-                                                                phi_1544_ = (select(_e1193, _e1245, (_e1245 > _e1193)) < 0f);
+                                                                let _e880 = select(_e815, _e802, (_e802 > _e815));
+                                                                phi_1544_ = (select(_e828, _e880, (_e880 > _e828)) < 0f);
                                                             }
-                                                            let _e1250 = phi_1544_;
-                                                            if _e1250 {
+                                                            let _e885 = phi_1544_;
+                                                            if _e885 {
                                                                 phi_2242_ = type_22();
                                                                 phi_2243_ = false;
                                                             } else {
-                                                                let _e1252 = select(_e1153[1][0], _e1153[0][0], (_e1153[0][0] < _e1153[1][0]));
-                                                                let _e1256 = select(_e1153[1][0], _e1153[0][0], (_e1153[0][0] > _e1153[1][0]));
-                                                                let _e1260 = select(_e1153[1][1], _e1153[0][1], (_e1153[0][1] < _e1153[1][1]));
-                                                                let _e1264 = select(_e1153[1][1], _e1153[0][1], (_e1153[0][1] > _e1153[1][1]));
-                                                                let _e1268 = select(_e1153[1][2], _e1153[0][2], (_e1153[0][2] < _e1153[1][2]));
-                                                                let _e1272 = select(_e1153[1][2], _e1153[0][2], (_e1153[0][2] > _e1153[1][2]));
-                                                                let _e1277 = ((select(_e1153[2][0], _e1252, (_e1252 < _e1153[2][0])) - _e351) * _e356);
-                                                                let _e1278 = ((select(_e1153[2][0], _e1256, (_e1256 > _e1153[2][0])) - _e352) * _e356);
-                                                                let _e1281 = ((select(_e1153[2][1], _e1260, (_e1260 < _e1153[2][1])) - _e419) * _e424);
-                                                                let _e1282 = ((select(_e1153[2][1], _e1264, (_e1264 > _e1153[2][1])) - _e420) * _e424);
-                                                                let _e1285 = ((select(_e1153[2][2], _e1268, (_e1268 < _e1153[2][2])) - _e487) * _e492);
-                                                                let _e1286 = ((select(_e1153[2][2], _e1272, (_e1272 > _e1153[2][2])) - _e488) * _e492);
-                                                                let _e1288 = select(_e1286, _e1285, (_e1285 < _e1286));
-                                                                let _e1290 = select(_e1286, _e1285, (_e1285 > _e1286));
-                                                                let _e1292 = select(_e1278, _e1277, (_e1277 < _e1278));
-                                                                let _e1294 = select(_e1282, _e1281, (_e1281 < _e1282));
-                                                                let _e1296 = select(_e1294, _e1292, (_e1292 > _e1294));
-                                                                let _e1298 = select(_e1288, _e1296, (_e1296 > _e1288));
-                                                                let _e1300 = select(_e1278, _e1277, (_e1277 > _e1278));
-                                                                let _e1302 = select(_e1282, _e1281, (_e1281 > _e1282));
-                                                                let _e1304 = select(_e1302, _e1300, (_e1300 < _e1302));
-                                                                let _e1306 = select(_e1290, _e1304, (_e1304 < _e1290));
-                                                                let _e1307 = -(_e1288);
-                                                                let _e1313 = select(_e604, _e1298, (_e1298 > _e604));
-                                                                if (_e1313 > (_e1306 + (select(_e1307, _e1290, (_e1290 > _e1307)) * 0.0000019073523f))) {
+                                                                let _e887 = select(_e788[1][0], _e788[0][0], (_e788[0][0] < _e788[1][0]));
+                                                                let _e891 = select(_e788[1][0], _e788[0][0], (_e788[0][0] > _e788[1][0]));
+                                                                let _e895 = select(_e788[1][1], _e788[0][1], (_e788[0][1] < _e788[1][1]));
+                                                                let _e899 = select(_e788[1][1], _e788[0][1], (_e788[0][1] > _e788[1][1]));
+                                                                let _e903 = select(_e788[1][2], _e788[0][2], (_e788[0][2] < _e788[1][2]));
+                                                                let _e907 = select(_e788[1][2], _e788[0][2], (_e788[0][2] > _e788[1][2]));
+                                                                let _e912 = ((select(_e788[2][0], _e887, (_e887 < _e788[2][0])) - _e351) * _e356);
+                                                                let _e913 = ((select(_e788[2][0], _e891, (_e891 > _e788[2][0])) - _e352) * _e356);
+                                                                let _e916 = ((select(_e788[2][1], _e895, (_e895 < _e788[2][1])) - _e419) * _e424);
+                                                                let _e917 = ((select(_e788[2][1], _e899, (_e899 > _e788[2][1])) - _e420) * _e424);
+                                                                let _e920 = ((select(_e788[2][2], _e903, (_e903 < _e788[2][2])) - _e487) * _e492);
+                                                                let _e921 = ((select(_e788[2][2], _e907, (_e907 > _e788[2][2])) - _e488) * _e492);
+                                                                let _e923 = select(_e921, _e920, (_e920 < _e921));
+                                                                let _e925 = select(_e921, _e920, (_e920 > _e921));
+                                                                let _e927 = select(_e913, _e912, (_e912 < _e913));
+                                                                let _e929 = select(_e917, _e916, (_e916 < _e917));
+                                                                let _e931 = select(_e929, _e927, (_e927 > _e929));
+                                                                let _e933 = select(_e923, _e931, (_e931 > _e923));
+                                                                let _e935 = select(_e913, _e912, (_e912 > _e913));
+                                                                let _e937 = select(_e917, _e916, (_e916 > _e917));
+                                                                let _e939 = select(_e937, _e935, (_e935 < _e937));
+                                                                let _e941 = select(_e925, _e939, (_e939 < _e925));
+                                                                let _e942 = -(_e923);
+                                                                let _e948 = select(_e604, _e933, (_e933 > _e604));
+                                                                if (_e948 > (_e941 + (select(_e942, _e925, (_e925 > _e942)) * 0.0000019073523f))) {
                                                                     phi_2237_ = type_22();
                                                                     phi_2238_ = true;
                                                                 } else {
-                                                                    let _e1315 = (_e1313 > _e1057.member_1);
-                                                                    if _e1315 {
+                                                                    let _e950 = (_e948 > _e692.member_1);
+                                                                    if _e950 {
                                                                         phi_2236_ = type_22();
                                                                     } else {
-                                                                        let _e1316 = vec3<f32>(_e1153[0][0], _e1153[0][1], _e1153[0][2]);
-                                                                        let _e1317 = vec3<f32>(_e1153[1][0], _e1153[1][1], _e1153[1][2]);
-                                                                        let _e1318 = vec3<f32>(_e1153[2][0], _e1153[2][1], _e1153[2][2]);
-                                                                        let _e1319 = (_e1153[1][0] - _e1153[0][0]);
-                                                                        let _e1320 = (_e1153[1][1] - _e1153[0][1]);
-                                                                        let _e1321 = (_e1153[1][2] - _e1153[0][2]);
-                                                                        let _e1322 = vec3<f32>(_e1319, _e1320, _e1321);
-                                                                        let _e1323 = (_e1153[2][0] - _e1153[1][0]);
-                                                                        let _e1324 = (_e1153[2][1] - _e1153[1][1]);
-                                                                        let _e1325 = (_e1153[2][2] - _e1153[1][2]);
-                                                                        let _e1326 = vec3<f32>(_e1323, _e1324, _e1325);
-                                                                        let _e1327 = (_e1153[0][0] - _e1153[2][0]);
-                                                                        let _e1328 = (_e1153[0][1] - _e1153[2][1]);
-                                                                        let _e1329 = (_e1153[0][2] - _e1153[2][2]);
-                                                                        let _e1330 = vec3<f32>(_e1327, _e1328, _e1329);
-                                                                        let _e1333 = bitcast<f32>((bitcast<u32>(_e1319) & 2147483647u));
-                                                                        let _e1336 = bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u));
-                                                                        let _e1338 = select(_e1336, _e1333, (_e1333 > _e1336));
-                                                                        let _e1341 = bitcast<f32>((bitcast<u32>(_e1321) & 2147483647u));
-                                                                        let _e1343 = select(_e1341, _e1338, (_e1338 > _e1341));
-                                                                        let _e1346 = bitcast<f32>((bitcast<u32>(_e1323) & 2147483647u));
-                                                                        let _e1349 = bitcast<f32>((bitcast<u32>(_e1324) & 2147483647u));
-                                                                        let _e1351 = select(_e1349, _e1346, (_e1346 > _e1349));
-                                                                        let _e1354 = bitcast<f32>((bitcast<u32>(_e1325) & 2147483647u));
-                                                                        let _e1356 = select(_e1354, _e1351, (_e1351 > _e1354));
-                                                                        let _e1359 = bitcast<f32>((bitcast<u32>(_e1327) & 2147483647u));
-                                                                        let _e1362 = bitcast<f32>((bitcast<u32>(_e1328) & 2147483647u));
-                                                                        let _e1364 = select(_e1362, _e1359, (_e1359 > _e1362));
-                                                                        let _e1367 = bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u));
-                                                                        let _e1369 = select(_e1367, _e1364, (_e1364 > _e1367));
-                                                                        let _e1371 = select(_e1356, _e1343, (_e1343 > _e1356));
-                                                                        let _e1373 = select(_e1369, _e1371, (_e1371 > _e1369));
-                                                                        if (_e1343 == _e1373) {
-                                                                            phi_1963_ = _e1180;
-                                                                            phi_1964_ = _e1177;
-                                                                            phi_1965_ = _e1167;
-                                                                            phi_1966_ = _e1164;
-                                                                            phi_1967_ = _e1316;
-                                                                            phi_1968_ = _e1330;
-                                                                            phi_1969_ = _e1326;
-                                                                            phi_1970_ = _e1322;
+                                                                        let _e951 = vec3<f32>(_e788[0][0], _e788[0][1], _e788[0][2]);
+                                                                        let _e952 = vec3<f32>(_e788[1][0], _e788[1][1], _e788[1][2]);
+                                                                        let _e953 = vec3<f32>(_e788[2][0], _e788[2][1], _e788[2][2]);
+                                                                        let _e954 = (_e788[1][0] - _e788[0][0]);
+                                                                        let _e955 = (_e788[1][1] - _e788[0][1]);
+                                                                        let _e956 = (_e788[1][2] - _e788[0][2]);
+                                                                        let _e957 = vec3<f32>(_e954, _e955, _e956);
+                                                                        let _e958 = (_e788[2][0] - _e788[1][0]);
+                                                                        let _e959 = (_e788[2][1] - _e788[1][1]);
+                                                                        let _e960 = (_e788[2][2] - _e788[1][2]);
+                                                                        let _e961 = vec3<f32>(_e958, _e959, _e960);
+                                                                        let _e962 = (_e788[0][0] - _e788[2][0]);
+                                                                        let _e963 = (_e788[0][1] - _e788[2][1]);
+                                                                        let _e964 = (_e788[0][2] - _e788[2][2]);
+                                                                        let _e965 = vec3<f32>(_e962, _e963, _e964);
+                                                                        let _e968 = bitcast<f32>((bitcast<u32>(_e954) & 2147483647u));
+                                                                        let _e971 = bitcast<f32>((bitcast<u32>(_e955) & 2147483647u));
+                                                                        let _e973 = select(_e971, _e968, (_e968 > _e971));
+                                                                        let _e976 = bitcast<f32>((bitcast<u32>(_e956) & 2147483647u));
+                                                                        let _e978 = select(_e976, _e973, (_e973 > _e976));
+                                                                        let _e981 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
+                                                                        let _e984 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
+                                                                        let _e986 = select(_e984, _e981, (_e981 > _e984));
+                                                                        let _e989 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
+                                                                        let _e991 = select(_e989, _e986, (_e986 > _e989));
+                                                                        let _e994 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
+                                                                        let _e997 = bitcast<f32>((bitcast<u32>(_e963) & 2147483647u));
+                                                                        let _e999 = select(_e997, _e994, (_e994 > _e997));
+                                                                        let _e1002 = bitcast<f32>((bitcast<u32>(_e964) & 2147483647u));
+                                                                        let _e1004 = select(_e1002, _e999, (_e999 > _e1002));
+                                                                        let _e1006 = select(_e991, _e978, (_e978 > _e991));
+                                                                        let _e1008 = select(_e1004, _e1006, (_e1006 > _e1004));
+                                                                        if (_e978 == _e1008) {
+                                                                            phi_1963_ = _e815;
+                                                                            phi_1964_ = _e812;
+                                                                            phi_1965_ = _e802;
+                                                                            phi_1966_ = _e799;
+                                                                            phi_1967_ = _e951;
+                                                                            phi_1968_ = _e965;
+                                                                            phi_1969_ = _e961;
+                                                                            phi_1970_ = _e957;
                                                                         } else {
-                                                                            let _e1375 = (_e1356 == _e1373);
-                                                                            let _e1380 = vec3(_e1375);
-                                                                            phi_1963_ = select(_e1167, _e1193, _e1375);
-                                                                            phi_1964_ = select(_e1164, _e1190, _e1375);
-                                                                            phi_1965_ = select(_e1193, _e1180, _e1375);
-                                                                            phi_1966_ = select(_e1190, _e1177, _e1375);
-                                                                            phi_1967_ = select(_e1318, _e1317, _e1380);
-                                                                            phi_1968_ = select(_e1326, _e1322, _e1380);
-                                                                            phi_1969_ = select(_e1322, _e1330, _e1380);
-                                                                            phi_1970_ = select(_e1330, _e1326, _e1380);
+                                                                            let _e1010 = (_e991 == _e1008);
+                                                                            let _e1015 = vec3(_e1010);
+                                                                            phi_1963_ = select(_e802, _e828, _e1010);
+                                                                            phi_1964_ = select(_e799, _e825, _e1010);
+                                                                            phi_1965_ = select(_e828, _e815, _e1010);
+                                                                            phi_1966_ = select(_e825, _e812, _e1010);
+                                                                            phi_1967_ = select(_e953, _e952, _e1015);
+                                                                            phi_1968_ = select(_e961, _e957, _e1015);
+                                                                            phi_1969_ = select(_e957, _e965, _e1015);
+                                                                            phi_1970_ = select(_e965, _e961, _e1015);
                                                                         }
-                                                                        let _e1386 = phi_1963_;
-                                                                        let _e1388 = phi_1964_;
-                                                                        let _e1390 = phi_1965_;
-                                                                        let _e1392 = phi_1966_;
-                                                                        let _e1394 = phi_1967_;
-                                                                        let _e1396 = phi_1968_;
-                                                                        let _e1398 = phi_1969_;
-                                                                        let _e1400 = phi_1970_;
-                                                                        let _e1407 = ((_e1398.y * _e1396.z) - (_e1396.y * _e1398.z));
-                                                                        let _e1412 = ((_e1398.z * _e1396.x) - (_e1396.z * _e1398.x));
-                                                                        let _e1415 = ((_e1398.x * _e1396.y) - (_e1396.x * _e1398.y));
-                                                                        if (_e1215 >= _e1219) {
-                                                                            phi_2007_ = select(true, false, (_e1215 >= _e1223));
+                                                                        let _e1021 = phi_1963_;
+                                                                        let _e1023 = phi_1964_;
+                                                                        let _e1025 = phi_1965_;
+                                                                        let _e1027 = phi_1966_;
+                                                                        let _e1029 = phi_1967_;
+                                                                        let _e1031 = phi_1968_;
+                                                                        let _e1033 = phi_1969_;
+                                                                        let _e1035 = phi_1970_;
+                                                                        let _e1042 = ((_e1033.y * _e1031.z) - (_e1031.y * _e1033.z));
+                                                                        let _e1047 = ((_e1033.z * _e1031.x) - (_e1031.z * _e1033.x));
+                                                                        let _e1050 = ((_e1033.x * _e1031.y) - (_e1031.x * _e1033.y));
+                                                                        if (_e850 >= _e854) {
+                                                                            phi_2007_ = select(true, false, (_e850 >= _e858));
                                                                         } else {
                                                                             phi_2007_ = true;
                                                                         }
-                                                                        let _e1420 = phi_2007_;
-                                                                        if _e1420 {
-                                                                            phi_2016_ = select(_e1318, _e1317, vec3((_e1219 >= _e1223)));
+                                                                        let _e1055 = phi_2007_;
+                                                                        if _e1055 {
+                                                                            phi_2016_ = select(_e953, _e952, vec3((_e854 >= _e858)));
                                                                         } else {
-                                                                            phi_2016_ = _e1316;
+                                                                            phi_2016_ = _e951;
                                                                         }
-                                                                        let _e1425 = phi_2016_;
-                                                                        let _e1436 = (((_e1407 * (_e1425.x - _e313)) + (_e1412 * (_e1425.y - _e382))) + (_e1415 * (_e1425.z - _e450)));
-                                                                        let _e1441 = (((_e1407 * _e353) + (_e1412 * _e421)) + (_e1415 * _e489));
-                                                                        let _e1442 = (_e1388 - _e1392);
-                                                                        let _e1443 = (_e1386 - _e1390);
-                                                                        let _e1451 = (-(((_e1392 * _e1442) + (_e1390 * _e1443))) / ((_e1442 * _e1442) + (_e1443 * _e1443)));
-                                                                        let _e1453 = select(1f, _e1451, (_e1451 < 1f));
-                                                                        let _e1455 = select(0f, _e1453, (_e1453 > 0f));
-                                                                        let _e1468 = ((_e1394.x + (_e1400.x * _e1455)) - _e313);
-                                                                        let _e1469 = ((_e1394.y + (_e1400.y * _e1455)) - _e382);
-                                                                        let _e1470 = ((_e1394.z + (_e1400.z * _e1455)) - _e450);
-                                                                        let _e1471 = (_e1470 / _e489);
-                                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1468) & 2147483647u));
-                                                                        let _e1486 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
-                                                                        let _e1488 = select(_e1486, _e1483, (_e1483 > _e1486));
-                                                                        let _e1491 = bitcast<f32>((bitcast<u32>(_e1470) & 2147483647u));
-                                                                        let _e1493 = select(_e1491, _e1488, (_e1488 > _e1491));
-                                                                        let _e1499 = bitcast<f32>((bitcast<u32>(_e1407) & 2147483647u));
-                                                                        let _e1502 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
-                                                                        let _e1504 = select(_e1502, _e1499, (_e1499 > _e1502));
-                                                                        let _e1507 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1407 * _e1468) + (_e1412 * _e1469)) + (_e1415 * _e1470)) - _e1436)) & 2147483647u)) <= ((0.0000009536743f * select(_e1373, _e1493, (_e1493 > _e1373))) * select(_e1507, _e1504, (_e1504 > _e1507)))) {
-                                                                            let _e1517 = bitcast<f32>((bitcast<u32>(_e1398.x) & 2147483647u));
-                                                                            let _e1520 = bitcast<f32>((bitcast<u32>(_e1398.y) & 2147483647u));
-                                                                            let _e1522 = select(_e1520, _e1517, (_e1517 > _e1520));
-                                                                            let _e1525 = bitcast<f32>((bitcast<u32>(_e1398.z) & 2147483647u));
-                                                                            let _e1531 = bitcast<f32>((bitcast<u32>(_e1396.x) & 2147483647u));
-                                                                            let _e1534 = bitcast<f32>((bitcast<u32>(_e1396.y) & 2147483647u));
-                                                                            let _e1536 = select(_e1534, _e1531, (_e1531 > _e1534));
-                                                                            let _e1539 = bitcast<f32>((bitcast<u32>(_e1396.z) & 2147483647u));
-                                                                            let _e1543 = (bitcast<f32>((bitcast<u32>(_e1441) & 2147483647u)) > ((0.0000038146973f * select(_e1525, _e1522, (_e1522 > _e1525))) * select(_e1539, _e1536, (_e1536 > _e1539))));
-                                                                            if _e1543 {
-                                                                                phi_2181_ = (_e1436 / _e1441);
+                                                                        let _e1060 = phi_2016_;
+                                                                        let _e1071 = (((_e1042 * (_e1060.x - _e313)) + (_e1047 * (_e1060.y - _e382))) + (_e1050 * (_e1060.z - _e450)));
+                                                                        let _e1076 = (((_e1042 * _e353) + (_e1047 * _e421)) + (_e1050 * _e489));
+                                                                        let _e1077 = (_e1023 - _e1027);
+                                                                        let _e1078 = (_e1021 - _e1025);
+                                                                        let _e1086 = (-(((_e1027 * _e1077) + (_e1025 * _e1078))) / ((_e1077 * _e1077) + (_e1078 * _e1078)));
+                                                                        let _e1088 = select(1f, _e1086, (_e1086 < 1f));
+                                                                        let _e1090 = select(0f, _e1088, (_e1088 > 0f));
+                                                                        let _e1103 = ((_e1029.x + (_e1035.x * _e1090)) - _e313);
+                                                                        let _e1104 = ((_e1029.y + (_e1035.y * _e1090)) - _e382);
+                                                                        let _e1105 = ((_e1029.z + (_e1035.z * _e1090)) - _e450);
+                                                                        let _e1106 = (_e1105 / _e489);
+                                                                        let _e1118 = bitcast<f32>((bitcast<u32>(_e1103) & 2147483647u));
+                                                                        let _e1121 = bitcast<f32>((bitcast<u32>(_e1104) & 2147483647u));
+                                                                        let _e1123 = select(_e1121, _e1118, (_e1118 > _e1121));
+                                                                        let _e1126 = bitcast<f32>((bitcast<u32>(_e1105) & 2147483647u));
+                                                                        let _e1128 = select(_e1126, _e1123, (_e1123 > _e1126));
+                                                                        let _e1134 = bitcast<f32>((bitcast<u32>(_e1042) & 2147483647u));
+                                                                        let _e1137 = bitcast<f32>((bitcast<u32>(_e1047) & 2147483647u));
+                                                                        let _e1139 = select(_e1137, _e1134, (_e1134 > _e1137));
+                                                                        let _e1142 = bitcast<f32>((bitcast<u32>(_e1050) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1042 * _e1103) + (_e1047 * _e1104)) + (_e1050 * _e1105)) - _e1071)) & 2147483647u)) <= ((0.0000009536743f * select(_e1008, _e1128, (_e1128 > _e1008))) * select(_e1142, _e1139, (_e1139 > _e1142)))) {
+                                                                            let _e1152 = bitcast<f32>((bitcast<u32>(_e1033.x) & 2147483647u));
+                                                                            let _e1155 = bitcast<f32>((bitcast<u32>(_e1033.y) & 2147483647u));
+                                                                            let _e1157 = select(_e1155, _e1152, (_e1152 > _e1155));
+                                                                            let _e1160 = bitcast<f32>((bitcast<u32>(_e1033.z) & 2147483647u));
+                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1031.x) & 2147483647u));
+                                                                            let _e1169 = bitcast<f32>((bitcast<u32>(_e1031.y) & 2147483647u));
+                                                                            let _e1171 = select(_e1169, _e1166, (_e1166 > _e1169));
+                                                                            let _e1174 = bitcast<f32>((bitcast<u32>(_e1031.z) & 2147483647u));
+                                                                            let _e1178 = (bitcast<f32>((bitcast<u32>(_e1076) & 2147483647u)) > ((0.0000038146973f * select(_e1160, _e1157, (_e1157 > _e1160))) * select(_e1174, _e1171, (_e1171 > _e1174))));
+                                                                            if _e1178 {
+                                                                                phi_2181_ = (_e1071 / _e1076);
                                                                             } else {
                                                                                 phi_2181_ = f32();
                                                                             }
-                                                                            let _e1546 = phi_2181_;
-                                                                            phi_2183_ = _e1546;
-                                                                            phi_2184_ = select(true, false, _e1543);
+                                                                            let _e1181 = phi_2181_;
+                                                                            phi_2183_ = _e1181;
+                                                                            phi_2184_ = select(true, false, _e1178);
                                                                         } else {
                                                                             phi_2183_ = f32();
                                                                             phi_2184_ = true;
                                                                         }
-                                                                        let _e1549 = phi_2183_;
-                                                                        let _e1551 = phi_2184_;
-                                                                        if _e1551 {
-                                                                            let _e1559 = (((_e1407 * (_e1468 - (_e353 * _e1471))) + (_e1412 * (_e1469 - (_e421 * _e1471)))) / _e1441);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u)) <= _e1373) {
-                                                                                phi_2204_ = (_e1471 + _e1559);
+                                                                        let _e1184 = phi_2183_;
+                                                                        let _e1186 = phi_2184_;
+                                                                        if _e1186 {
+                                                                            let _e1194 = (((_e1042 * (_e1103 - (_e353 * _e1106))) + (_e1047 * (_e1104 - (_e421 * _e1106)))) / _e1076);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u)) <= _e1008) {
+                                                                                phi_2204_ = (_e1106 + _e1194);
                                                                             } else {
-                                                                                phi_2204_ = _e1471;
+                                                                                phi_2204_ = _e1106;
                                                                             }
-                                                                            let _e1566 = phi_2204_;
-                                                                            phi_2205_ = _e1566;
+                                                                            let _e1201 = phi_2204_;
+                                                                            phi_2205_ = _e1201;
                                                                         } else {
-                                                                            phi_2205_ = _e1549;
+                                                                            phi_2205_ = _e1184;
                                                                         }
-                                                                        let _e1568 = phi_2205_;
-                                                                        let _e1570 = select(_e1306, _e1568, (_e1568 < _e1306));
-                                                                        let _e1572 = select(_e1298, _e1570, (_e1570 > _e1298));
-                                                                        if (_e1572 >= _e604) {
-                                                                            let _e1574 = (_e1572 <= _e1057.member_1);
-                                                                            if _e1574 {
-                                                                                let _e1575 = (1f / _e1225);
-                                                                                phi_2228_ = type_22(_e1572, (_e1219 * _e1575), (_e1223 * _e1575), _e1086);
+                                                                        let _e1203 = phi_2205_;
+                                                                        let _e1205 = select(_e941, _e1203, (_e1203 < _e941));
+                                                                        let _e1207 = select(_e933, _e1205, (_e1205 > _e933));
+                                                                        if (_e1207 >= _e604) {
+                                                                            let _e1209 = (_e1207 <= _e692.member_1);
+                                                                            if _e1209 {
+                                                                                let _e1210 = (1f / _e860);
+                                                                                phi_2228_ = type_22(_e1207, (_e854 * _e1210), (_e858 * _e1210), _e721);
                                                                             } else {
                                                                                 phi_2228_ = type_22();
                                                                             }
-                                                                            let _e1580 = phi_2228_;
-                                                                            phi_2230_ = _e1580;
-                                                                            phi_2231_ = select(true, false, _e1574);
+                                                                            let _e1215 = phi_2228_;
+                                                                            phi_2230_ = _e1215;
+                                                                            phi_2231_ = select(true, false, _e1209);
                                                                         } else {
                                                                             phi_2230_ = type_22();
                                                                             phi_2231_ = true;
                                                                         }
-                                                                        let _e1583 = phi_2230_;
-                                                                        let _e1585 = phi_2231_;
-                                                                        if _e1585 {
+                                                                        let _e1218 = phi_2230_;
+                                                                        let _e1220 = phi_2231_;
+                                                                        if _e1220 {
                                                                             phi_2235_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2235_ = _e1583;
+                                                                            phi_2235_ = _e1218;
                                                                         }
-                                                                        let _e1587 = phi_2235_;
-                                                                        phi_2236_ = _e1587;
+                                                                        let _e1222 = phi_2235_;
+                                                                        phi_2236_ = _e1222;
                                                                     }
-                                                                    let _e1589 = phi_2236_;
-                                                                    phi_2237_ = _e1589;
-                                                                    phi_2238_ = _e1315;
+                                                                    let _e1224 = phi_2236_;
+                                                                    phi_2237_ = _e1224;
+                                                                    phi_2238_ = _e950;
                                                                 }
-                                                                let _e1591 = phi_2237_;
-                                                                let _e1593 = phi_2238_;
-                                                                phi_2242_ = _e1591;
-                                                                phi_2243_ = _e1593;
+                                                                let _e1226 = phi_2237_;
+                                                                let _e1228 = phi_2238_;
+                                                                phi_2242_ = _e1226;
+                                                                phi_2243_ = _e1228;
                                                             }
-                                                            let _e1595 = phi_2242_;
-                                                            let _e1597 = phi_2243_;
-                                                            phi_2244_ = _e1595;
-                                                            phi_2245_ = _e1250;
-                                                            phi_2246_ = _e1597;
+                                                            let _e1230 = phi_2242_;
+                                                            let _e1232 = phi_2243_;
+                                                            phi_2244_ = _e1230;
+                                                            phi_2245_ = _e885;
+                                                            phi_2246_ = _e1232;
                                                         }
-                                                        let _e1599 = phi_2244_;
-                                                        let _e1601 = phi_2245_;
-                                                        let _e1603 = phi_2246_;
-                                                        phi_2247_ = _e1599;
-                                                        phi_2248_ = _e1601;
-                                                        phi_2249_ = _e1603;
+                                                        let _e1234 = phi_2244_;
+                                                        let _e1236 = phi_2245_;
+                                                        let _e1238 = phi_2246_;
+                                                        phi_2247_ = _e1234;
+                                                        phi_2248_ = _e1236;
+                                                        phi_2249_ = _e1238;
                                                     }
-                                                    let _e1605 = phi_2247_;
-                                                    let _e1607 = phi_2248_;
-                                                    let _e1609 = phi_2249_;
-                                                    phi_2257_ = _e1605;
-                                                    phi_2258_ = select(_e1609, true, _e1607);
+                                                    let _e1240 = phi_2247_;
+                                                    let _e1242 = phi_2248_;
+                                                    let _e1244 = phi_2249_;
+                                                    phi_2257_ = _e1240;
+                                                    phi_2258_ = select(_e1244, true, _e1242);
                                                 } else {
                                                     phi_2257_ = type_22();
                                                     phi_2258_ = true;
                                                 }
-                                                let _e1612 = phi_2257_;
-                                                let _e1614 = phi_2258_;
-                                                if _e1614 {
+                                                let _e1247 = phi_2257_;
+                                                let _e1249 = phi_2258_;
+                                                if _e1249 {
                                                     phi_2262_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2262_ = _e1612;
+                                                    phi_2262_ = _e1247;
                                                 }
-                                                let _e1616 = phi_2262_;
-                                                if (_e1616.member_3 != 4294967295u) {
-                                                    if (_e1086 != 4294967295u) {
-                                                        if (_e1616.member < _e1057.member.member) {
+                                                let _e1251 = phi_2262_;
+                                                if (_e1251.member_3 != 4294967295u) {
+                                                    if (_e721 != 4294967295u) {
+                                                        if (_e1251.member < _e692.member.member) {
                                                             phi_2288_ = true;
                                                         } else {
-                                                            if (_e1616.member == _e1057.member.member) {
-                                                                phi_2287_ = (_e1616.member_3 < _e1057.member.member_3);
+                                                            if (_e1251.member == _e692.member.member) {
+                                                                phi_2287_ = (_e1251.member_3 < _e692.member.member_3);
                                                             } else {
                                                                 phi_2287_ = false;
                                                             }
-                                                            let _e1629 = phi_2287_;
-                                                            phi_2288_ = _e1629;
+                                                            let _e1264 = phi_2287_;
+                                                            phi_2288_ = _e1264;
                                                         }
-                                                        let _e1631 = phi_2288_;
-                                                        if _e1631 {
-                                                            phi_2294_ = type_33(_e1616, _e1616.member);
+                                                        let _e1266 = phi_2288_;
+                                                        if _e1266 {
+                                                            phi_2294_ = type_33(_e1251, _e1251.member);
                                                         } else {
-                                                            phi_2294_ = _e1057;
+                                                            phi_2294_ = _e692;
                                                         }
-                                                        let _e1634 = phi_2294_;
-                                                        phi_2295_ = _e1634;
+                                                        let _e1269 = phi_2294_;
+                                                        phi_2295_ = _e1269;
                                                     } else {
-                                                        phi_2295_ = _e1057;
+                                                        phi_2295_ = _e692;
                                                     }
-                                                    let _e1636 = phi_2295_;
-                                                    phi_2296_ = _e1636;
+                                                    let _e1271 = phi_2295_;
+                                                    phi_2296_ = _e1271;
                                                 } else {
-                                                    phi_2296_ = _e1057;
+                                                    phi_2296_ = _e692;
                                                 }
-                                                let _e1638 = phi_2296_;
-                                                phi_1225_ = _e1638;
+                                                let _e1273 = phi_2296_;
+                                                phi_1225_ = _e1273;
                                             } else {
                                                 phi_1225_ = type_33();
                                             }
-                                            let _e1640 = phi_1225_;
+                                            let _e1275 = phi_1225_;
                                             continue;
                                             continuing {
-                                                phi_1224_ = _e1640;
-                                                phi_1227_ = _e1072;
-                                                phi_3519_ = _e636;
-                                                break if !(_e1078);
+                                                phi_1224_ = _e1275;
+                                                phi_1227_ = _e707;
+                                                phi_3523_ = _e636;
+                                                break if !(_e713);
                                             }
                                         }
-                                        let _e1643 = phi_3519_;
-                                        phi_3679_ = _e1643;
-                                        if _e1643 {
+                                        let _e1278 = phi_3523_;
+                                        phi_3683_ = _e1278;
+                                        if _e1278 {
                                             break;
                                         }
-                                        phi_3683_ = _e1643;
-                                        let _e1929 = local_11;
-                                        phi_3309_ = _e1929;
-                                        phi_3310_ = false;
-                                        phi_3311_ = _e679;
-                                        phi_3312_ = _e681;
+                                        phi_3742_ = _e1278;
+                                        let _e1921 = local_11;
+                                        phi_2297_ = _e1921;
                                     } else {
-                                        let _e690 = (_e681.member_1 < _e87);
-                                        if _e690 {
-                                            if _e690 {
+                                        phi_3742_ = _e636;
+                                        phi_2297_ = _e638;
+                                    }
+                                    let _e1280 = phi_3742_;
+                                    let _e1282 = phi_2297_;
+                                    if _e685 {
+                                        phi_3304_ = bool();
+                                        phi_3305_ = u32();
+                                        phi_3306_ = type_49();
+                                    } else {
+                                        let _e1283 = (_e681.member_1 < _e87);
+                                        if _e1283 {
+                                            if _e1283 {
                                             } else {
-                                                phi_3679_ = true;
+                                                phi_3683_ = true;
                                                 break;
                                             }
-                                            let _e692 = global_5.member[_e681.member_1];
-                                            phi_2322_ = _e692;
+                                            let _e1285 = global_5.member[_e681.member_1];
+                                            phi_2318_ = _e1285;
                                         } else {
-                                            phi_2322_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2318_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e694 = phi_2322_;
-                                        let _e709 = ((10u * _e249) & 31u);
-                                        let _e712 = ((_e694.member[0] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e720 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e121));
-                                        let _e725 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e712)) - 8388608f) * _e720)) ^ _e121)));
-                                        let _e729 = select(select(_e681.member.member_1[0], _e725, (_e725 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e712 == 1023u));
-                                        let _e731 = ((10u * _e248) & 31u);
-                                        let _e734 = ((_e694.member[0] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e742 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e121));
-                                        let _e747 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e734)) - 8388608f) * _e742)) ^ _e121)));
-                                        let _e751 = select(select(_e681.member.member_1[1], _e747, (_e747 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e734 == 1023u));
-                                        let _e753 = ((10u * _e250) & 31u);
-                                        let _e756 = ((_e694.member[0] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e764 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e121));
-                                        let _e769 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e756)) - 8388608f) * _e764)) ^ _e121)));
-                                        let _e773 = select(select(_e681.member.member_1[2], _e769, (_e769 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e756 == 1023u));
-                                        let _e776 = ((_e694.member[1] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e784 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e776)) - 8388608f) * _e720)) ^ _e121)));
-                                        let _e788 = select(select(_e681.member.member_1[0], _e784, (_e784 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e776 == 1023u));
-                                        let _e791 = ((_e694.member[1] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e799 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e791)) - 8388608f) * _e742)) ^ _e121)));
-                                        let _e803 = select(select(_e681.member.member_1[1], _e799, (_e799 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e791 == 1023u));
-                                        let _e806 = ((_e694.member[1] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e814 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e806)) - 8388608f) * _e764)) ^ _e121)));
-                                        let _e818 = select(select(_e681.member.member_1[2], _e814, (_e814 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e806 == 1023u));
-                                        let _e824 = ((_e694.member_1[0] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e832 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e824)) - 8388608f) * _e720)) ^ _e121)));
-                                        let _e836 = select(select(_e681.member.member_1[0], _e832, (_e832 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e824 == 1023u));
-                                        let _e839 = ((_e694.member_1[0] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e847 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e742)) ^ _e121)));
-                                        let _e851 = select(select(_e681.member.member_1[1], _e847, (_e847 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e839 == 1023u));
-                                        let _e854 = ((_e694.member_1[0] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e862 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e764)) ^ _e121)));
-                                        let _e866 = select(select(_e681.member.member_1[2], _e862, (_e862 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e854 == 1023u));
-                                        let _e869 = ((_e694.member_1[1] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e877 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e720)) ^ _e121)));
-                                        let _e881 = select(select(_e681.member.member_1[0], _e877, (_e877 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e869 == 1023u));
-                                        let _e884 = ((_e694.member_1[1] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e892 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e884)) - 8388608f) * _e742)) ^ _e121)));
-                                        let _e896 = select(select(_e681.member.member_1[1], _e892, (_e892 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e884 == 1023u));
-                                        let _e899 = ((_e694.member_1[1] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e907 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e899)) - 8388608f) * _e764)) ^ _e121)));
-                                        let _e911 = select(select(_e681.member.member_1[2], _e907, (_e907 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e899 == 1023u));
-                                        let _e916 = type_49(type_47(array<f32, 3>(_e729, _e751, _e773), array<f32, 3>(_e788, _e803, _e818)), _e694.member_2);
-                                        let _e921 = type_49(type_47(array<f32, 3>(_e836, _e851, _e866), array<f32, 3>(_e881, _e896, _e911)), _e694.member_3);
-                                        let _e927 = ((_e729 - _e351) * _e356);
-                                        let _e928 = ((_e836 - _e351) * _e356);
-                                        let _e929 = ((_e788 - _e352) * _e356);
-                                        let _e930 = ((_e881 - _e352) * _e356);
-                                        let _e935 = ((_e751 - _e419) * _e424);
-                                        let _e936 = ((_e851 - _e419) * _e424);
-                                        let _e937 = ((_e803 - _e420) * _e424);
-                                        let _e938 = ((_e896 - _e420) * _e424);
-                                        let _e943 = ((_e773 - _e487) * _e492);
-                                        let _e944 = ((_e866 - _e487) * _e492);
-                                        let _e945 = ((_e818 - _e488) * _e492);
-                                        let _e946 = ((_e911 - _e488) * _e492);
-                                        let _e948 = select(_e945, _e943, (_e943 < _e945));
-                                        let _e950 = select(_e946, _e944, (_e944 < _e946));
-                                        let _e952 = select(_e945, _e943, (_e943 > _e945));
-                                        let _e954 = select(_e946, _e944, (_e944 > _e946));
-                                        let _e956 = select(_e929, _e927, (_e927 < _e929));
-                                        let _e958 = select(_e930, _e928, (_e928 < _e930));
-                                        let _e960 = select(_e937, _e935, (_e935 < _e937));
-                                        let _e962 = select(_e938, _e936, (_e936 < _e938));
-                                        let _e964 = select(_e960, _e956, (_e956 > _e960));
-                                        let _e966 = select(_e962, _e958, (_e958 > _e962));
-                                        let _e968 = select(_e948, _e964, (_e964 > _e948));
-                                        let _e970 = select(_e950, _e966, (_e966 > _e950));
-                                        let _e972 = select(_e929, _e927, (_e927 > _e929));
-                                        let _e974 = select(_e930, _e928, (_e928 > _e930));
-                                        let _e976 = select(_e937, _e935, (_e935 > _e937));
-                                        let _e978 = select(_e938, _e936, (_e936 > _e938));
-                                        let _e980 = select(_e976, _e972, (_e972 < _e976));
-                                        let _e982 = select(_e978, _e974, (_e974 < _e978));
-                                        let _e987 = -(_e948);
-                                        let _e988 = -(_e950);
-                                        let _e995 = (select(_e952, _e980, (_e980 < _e952)) + (select(_e987, _e952, (_e952 > _e987)) * 0.0000019073523f));
-                                        let _e996 = (select(_e954, _e982, (_e982 < _e954)) + (select(_e988, _e954, (_e954 > _e988)) * 0.0000019073523f));
-                                        let _e998 = select(_e604, _e968, (_e968 > _e604));
-                                        let _e1000 = select(_e604, _e970, (_e970 > _e604));
-                                        let _e1005 = (_e998 <= select(_e638.member_1, _e995, (_e995 < _e638.member_1)));
-                                        let _e1006 = (_e1000 <= select(_e638.member_1, _e996, (_e996 < _e638.member_1)));
-                                        let _e1007 = (_e998 <= _e1000);
-                                        if _e1005 {
-                                            if _e1006 {
-                                                if _e1007 {
-                                                    phi_3208_ = _e921;
+                                        let _e1287 = phi_2318_;
+                                        let _e1302 = ((10u * _e249) & 31u);
+                                        let _e1305 = ((_e1287.member[0] >> bitcast<u32>(_e1302)) & 1023u);
+                                        let _e1313 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e121));
+                                        let _e1318 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1305)) - 8388608f) * _e1313)) ^ _e121)));
+                                        let _e1322 = select(select(_e681.member.member_1[0], _e1318, (_e1318 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1305 == 1023u));
+                                        let _e1324 = ((10u * _e248) & 31u);
+                                        let _e1327 = ((_e1287.member[0] >> bitcast<u32>(_e1324)) & 1023u);
+                                        let _e1335 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e121));
+                                        let _e1340 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1327)) - 8388608f) * _e1335)) ^ _e121)));
+                                        let _e1344 = select(select(_e681.member.member_1[1], _e1340, (_e1340 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1327 == 1023u));
+                                        let _e1346 = ((10u * _e250) & 31u);
+                                        let _e1349 = ((_e1287.member[0] >> bitcast<u32>(_e1346)) & 1023u);
+                                        let _e1357 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e121));
+                                        let _e1362 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1349)) - 8388608f) * _e1357)) ^ _e121)));
+                                        let _e1366 = select(select(_e681.member.member_1[2], _e1362, (_e1362 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1349 == 1023u));
+                                        let _e1369 = ((_e1287.member[1] >> bitcast<u32>(_e1302)) & 1023u);
+                                        let _e1377 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1369)) - 8388608f) * _e1313)) ^ _e121)));
+                                        let _e1381 = select(select(_e681.member.member_1[0], _e1377, (_e1377 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1369 == 1023u));
+                                        let _e1384 = ((_e1287.member[1] >> bitcast<u32>(_e1324)) & 1023u);
+                                        let _e1392 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1384)) - 8388608f) * _e1335)) ^ _e121)));
+                                        let _e1396 = select(select(_e681.member.member_1[1], _e1392, (_e1392 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1384 == 1023u));
+                                        let _e1399 = ((_e1287.member[1] >> bitcast<u32>(_e1346)) & 1023u);
+                                        let _e1407 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1399)) - 8388608f) * _e1357)) ^ _e121)));
+                                        let _e1411 = select(select(_e681.member.member_1[2], _e1407, (_e1407 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1399 == 1023u));
+                                        let _e1417 = ((_e1287.member_1[0] >> bitcast<u32>(_e1302)) & 1023u);
+                                        let _e1425 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1417)) - 8388608f) * _e1313)) ^ _e121)));
+                                        let _e1429 = select(select(_e681.member.member_1[0], _e1425, (_e1425 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1417 == 1023u));
+                                        let _e1432 = ((_e1287.member_1[0] >> bitcast<u32>(_e1324)) & 1023u);
+                                        let _e1440 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1432)) - 8388608f) * _e1335)) ^ _e121)));
+                                        let _e1444 = select(select(_e681.member.member_1[1], _e1440, (_e1440 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1432 == 1023u));
+                                        let _e1447 = ((_e1287.member_1[0] >> bitcast<u32>(_e1346)) & 1023u);
+                                        let _e1455 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1447)) - 8388608f) * _e1357)) ^ _e121)));
+                                        let _e1459 = select(select(_e681.member.member_1[2], _e1455, (_e1455 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1447 == 1023u));
+                                        let _e1462 = ((_e1287.member_1[1] >> bitcast<u32>(_e1302)) & 1023u);
+                                        let _e1470 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1462)) - 8388608f) * _e1313)) ^ _e121)));
+                                        let _e1474 = select(select(_e681.member.member_1[0], _e1470, (_e1470 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1462 == 1023u));
+                                        let _e1477 = ((_e1287.member_1[1] >> bitcast<u32>(_e1324)) & 1023u);
+                                        let _e1485 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1477)) - 8388608f) * _e1335)) ^ _e121)));
+                                        let _e1489 = select(select(_e681.member.member_1[1], _e1485, (_e1485 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1477 == 1023u));
+                                        let _e1492 = ((_e1287.member_1[1] >> bitcast<u32>(_e1346)) & 1023u);
+                                        let _e1500 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1492)) - 8388608f) * _e1357)) ^ _e121)));
+                                        let _e1504 = select(select(_e681.member.member_1[2], _e1500, (_e1500 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1492 == 1023u));
+                                        let _e1509 = type_49(type_47(array<f32, 3>(_e1322, _e1344, _e1366), array<f32, 3>(_e1381, _e1396, _e1411)), _e1287.member_2);
+                                        let _e1514 = type_49(type_47(array<f32, 3>(_e1429, _e1444, _e1459), array<f32, 3>(_e1474, _e1489, _e1504)), _e1287.member_3);
+                                        let _e1520 = ((_e1322 - _e351) * _e356);
+                                        let _e1521 = ((_e1429 - _e351) * _e356);
+                                        let _e1522 = ((_e1381 - _e352) * _e356);
+                                        let _e1523 = ((_e1474 - _e352) * _e356);
+                                        let _e1528 = ((_e1344 - _e419) * _e424);
+                                        let _e1529 = ((_e1444 - _e419) * _e424);
+                                        let _e1530 = ((_e1396 - _e420) * _e424);
+                                        let _e1531 = ((_e1489 - _e420) * _e424);
+                                        let _e1536 = ((_e1366 - _e487) * _e492);
+                                        let _e1537 = ((_e1459 - _e487) * _e492);
+                                        let _e1538 = ((_e1411 - _e488) * _e492);
+                                        let _e1539 = ((_e1504 - _e488) * _e492);
+                                        let _e1541 = select(_e1538, _e1536, (_e1536 < _e1538));
+                                        let _e1543 = select(_e1539, _e1537, (_e1537 < _e1539));
+                                        let _e1545 = select(_e1538, _e1536, (_e1536 > _e1538));
+                                        let _e1547 = select(_e1539, _e1537, (_e1537 > _e1539));
+                                        let _e1549 = select(_e1522, _e1520, (_e1520 < _e1522));
+                                        let _e1551 = select(_e1523, _e1521, (_e1521 < _e1523));
+                                        let _e1553 = select(_e1530, _e1528, (_e1528 < _e1530));
+                                        let _e1555 = select(_e1531, _e1529, (_e1529 < _e1531));
+                                        let _e1557 = select(_e1553, _e1549, (_e1549 > _e1553));
+                                        let _e1559 = select(_e1555, _e1551, (_e1551 > _e1555));
+                                        let _e1561 = select(_e1541, _e1557, (_e1557 > _e1541));
+                                        let _e1563 = select(_e1543, _e1559, (_e1559 > _e1543));
+                                        let _e1565 = select(_e1522, _e1520, (_e1520 > _e1522));
+                                        let _e1567 = select(_e1523, _e1521, (_e1521 > _e1523));
+                                        let _e1569 = select(_e1530, _e1528, (_e1528 > _e1530));
+                                        let _e1571 = select(_e1531, _e1529, (_e1529 > _e1531));
+                                        let _e1573 = select(_e1569, _e1565, (_e1565 < _e1569));
+                                        let _e1575 = select(_e1571, _e1567, (_e1567 < _e1571));
+                                        let _e1580 = -(_e1541);
+                                        let _e1581 = -(_e1543);
+                                        let _e1588 = (select(_e1545, _e1573, (_e1573 < _e1545)) + (select(_e1580, _e1545, (_e1545 > _e1580)) * 0.0000019073523f));
+                                        let _e1589 = (select(_e1547, _e1575, (_e1575 < _e1547)) + (select(_e1581, _e1547, (_e1547 > _e1581)) * 0.0000019073523f));
+                                        let _e1591 = select(_e604, _e1561, (_e1561 > _e604));
+                                        let _e1593 = select(_e604, _e1563, (_e1563 > _e604));
+                                        let _e1598 = (_e1591 <= select(_e1282.member_1, _e1588, (_e1588 < _e1282.member_1)));
+                                        let _e1599 = (_e1593 <= select(_e1282.member_1, _e1589, (_e1589 < _e1282.member_1)));
+                                        let _e1600 = (_e1591 <= _e1593);
+                                        if _e1598 {
+                                            if _e1599 {
+                                                if _e1600 {
+                                                    phi_3204_ = _e1514;
                                                 } else {
-                                                    phi_3208_ = _e916;
+                                                    phi_3204_ = _e1509;
                                                 }
-                                                let _e1009 = phi_3208_;
-                                                let _e1017 = (_e679 % 128u);
-                                                let _e1018 = (_e1017 < 128u);
-                                                if _e1018 {
+                                                let _e1602 = phi_3204_;
+                                                let _e1609 = (_e679 % 128u);
+                                                let _e1610 = (_e1609 < 128u);
+                                                if _e1610 {
                                                 } else {
-                                                    phi_3679_ = true;
+                                                    phi_3683_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1017] = _e1009.member_1;
-                                                if _e1018 {
+                                                local_6[_e1609] = _e1602.member_1;
+                                                if _e1610 {
                                                 } else {
-                                                    phi_3679_ = true;
+                                                    phi_3683_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1017] = _e1009.member.member[0];
-                                                if _e1018 {
+                                                local_5[_e1609] = _e1602.member.member[0];
+                                                if _e1610 {
                                                 } else {
-                                                    phi_3679_ = true;
+                                                    phi_3683_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1017] = _e1009.member.member[1];
-                                                if _e1018 {
+                                                local_4[_e1609] = _e1602.member.member[1];
+                                                if _e1610 {
                                                 } else {
-                                                    phi_3679_ = true;
+                                                    phi_3683_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1017] = _e1009.member.member[2];
-                                                if _e1018 {
+                                                local_3[_e1609] = _e1602.member.member[2];
+                                                if _e1610 {
                                                 } else {
-                                                    phi_3679_ = true;
+                                                    phi_3683_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1017] = _e1009.member.member_1[0];
-                                                if _e1018 {
+                                                local_2[_e1609] = _e1602.member.member_1[0];
+                                                if _e1610 {
                                                 } else {
-                                                    phi_3679_ = true;
+                                                    phi_3683_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1017] = _e1009.member.member_1[1];
-                                                if _e1018 {
+                                                local_1[_e1609] = _e1602.member.member_1[1];
+                                                if _e1610 {
                                                 } else {
-                                                    phi_3679_ = true;
+                                                    phi_3683_ = true;
                                                     break;
                                                 }
-                                                local[_e1017] = _e1009.member.member_1[2];
-                                                if _e1018 {
+                                                local[_e1609] = _e1602.member.member_1[2];
+                                                if _e1610 {
                                                 } else {
-                                                    phi_3679_ = true;
+                                                    phi_3683_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1017] = select(_e1000, _e998, !(_e1007));
-                                                if _e1007 {
-                                                    phi_3285_ = _e916;
+                                                local_7[_e1609] = select(_e1591, _e1593, _e1600);
+                                                if _e1600 {
+                                                    phi_3280_ = _e1509;
                                                 } else {
-                                                    phi_3285_ = _e921;
+                                                    phi_3280_ = _e1514;
                                                 }
-                                                let _e1035 = phi_3285_;
-                                                phi_3286_ = (_e679 + 1u);
-                                                phi_3287_ = _e1035;
+                                                let _e1627 = phi_3280_;
+                                                phi_3281_ = (_e679 + 1u);
+                                                phi_3282_ = _e1627;
                                             } else {
-                                                phi_3286_ = u32();
-                                                phi_3287_ = type_49();
+                                                phi_3281_ = u32();
+                                                phi_3282_ = type_49();
                                             }
-                                            let _e1037 = phi_3286_;
-                                            let _e1039 = phi_3287_;
-                                            phi_3289_ = _e1037;
-                                            phi_3290_ = _e1039;
-                                            phi_3291_ = select(true, false, _e1006);
+                                            let _e1629 = phi_3281_;
+                                            let _e1631 = phi_3282_;
+                                            phi_3284_ = _e1629;
+                                            phi_3285_ = _e1631;
+                                            phi_3286_ = select(true, false, _e1599);
                                         } else {
-                                            phi_3289_ = u32();
-                                            phi_3290_ = type_49();
-                                            phi_3291_ = true;
+                                            phi_3284_ = u32();
+                                            phi_3285_ = type_49();
+                                            phi_3286_ = true;
                                         }
-                                        let _e1042 = phi_3289_;
-                                        let _e1044 = phi_3290_;
-                                        let _e1046 = phi_3291_;
-                                        if _e1046 {
-                                            if _e1005 {
-                                                phi_3298_ = _e916;
+                                        let _e1634 = phi_3284_;
+                                        let _e1636 = phi_3285_;
+                                        let _e1638 = phi_3286_;
+                                        if _e1638 {
+                                            if _e1598 {
+                                                phi_3293_ = _e1509;
                                             } else {
-                                                phi_3298_ = _e921;
+                                                phi_3293_ = _e1514;
                                             }
-                                            let _e1048 = phi_3298_;
-                                            phi_3303_ = select(_e1006, true, _e1005);
-                                            phi_3305_ = _e1048;
+                                            let _e1640 = phi_3293_;
+                                            phi_3298_ = select(_e1599, true, _e1598);
+                                            phi_3300_ = _e1640;
                                         } else {
-                                            phi_3303_ = _e677;
-                                            phi_3305_ = _e1044;
+                                            phi_3298_ = _e677;
+                                            phi_3300_ = _e1636;
                                         }
-                                        let _e1051 = phi_3303_;
-                                        let _e1053 = phi_3305_;
-                                        phi_3683_ = _e636;
-                                        phi_3309_ = _e638;
-                                        phi_3310_ = _e1051;
-                                        phi_3311_ = select(_e1042, _e679, _e1046);
-                                        phi_3312_ = _e1053;
+                                        let _e1643 = phi_3298_;
+                                        let _e1645 = phi_3300_;
+                                        phi_3304_ = _e1643;
+                                        phi_3305_ = select(_e1634, _e679, _e1638);
+                                        phi_3306_ = _e1645;
                                     }
-                                    let _e1645 = phi_3683_;
-                                    let _e1647 = phi_3309_;
-                                    let _e1649 = phi_3310_;
-                                    let _e1651 = phi_3311_;
-                                    let _e1653 = phi_3312_;
-                                    phi_3682_ = _e1645;
-                                    phi_3313_ = _e1647;
-                                    phi_3314_ = _e1649;
-                                    phi_3315_ = (_e642 - 1u);
-                                    phi_3316_ = _e1651;
-                                    phi_3317_ = _e1653;
+                                    let _e1648 = phi_3304_;
+                                    let _e1650 = phi_3305_;
+                                    let _e1652 = phi_3306_;
+                                    if _e685 {
+                                        phi_3316_ = _e681;
+                                    } else {
+                                        phi_3316_ = _e1652;
+                                    }
+                                    let _e1654 = phi_3316_;
+                                    phi_3686_ = _e1280;
+                                    phi_3317_ = _e1282;
+                                    phi_3318_ = (_e640 - 1u);
+                                    phi_3319_ = select(_e1648, false, _e685);
+                                    phi_3320_ = select(_e1650, _e679, _e685);
+                                    phi_3321_ = _e1654;
                                 } else {
-                                    phi_3682_ = _e636;
-                                    phi_3313_ = _e638;
-                                    phi_3314_ = _e677;
-                                    phi_3315_ = _e642;
-                                    phi_3316_ = _e679;
-                                    phi_3317_ = _e681;
+                                    phi_3686_ = _e636;
+                                    phi_3317_ = _e638;
+                                    phi_3318_ = _e640;
+                                    phi_3319_ = _e677;
+                                    phi_3320_ = _e679;
+                                    phi_3321_ = _e681;
                                 }
-                                let _e1655 = phi_3682_;
-                                let _e1657 = phi_3313_;
-                                let _e1659 = phi_3314_;
-                                let _e1661 = phi_3315_;
-                                let _e1663 = phi_3316_;
-                                let _e1665 = phi_3317_;
-                                phi_3681_ = _e1655;
-                                phi_3318_ = _e1657;
-                                phi_3319_ = _e1659;
-                                phi_3320_ = _e1661;
-                                phi_3321_ = _e1663;
-                                phi_3322_ = _e1665;
+                                let _e1658 = phi_3686_;
+                                let _e1660 = phi_3317_;
+                                let _e1662 = phi_3318_;
+                                let _e1664 = phi_3319_;
+                                let _e1666 = phi_3320_;
+                                let _e1668 = phi_3321_;
+                                phi_3685_ = _e1658;
+                                phi_3322_ = _e1660;
+                                phi_3323_ = _e1662;
+                                phi_3324_ = _e1664;
+                                phi_3325_ = _e1666;
+                                phi_3326_ = _e1668;
                             } else {
-                                phi_3681_ = _e636;
-                                phi_3318_ = type_33();
-                                phi_3319_ = bool();
-                                phi_3320_ = u32();
-                                phi_3321_ = u32();
-                                phi_3322_ = type_49();
+                                phi_3685_ = _e636;
+                                phi_3322_ = type_33();
+                                phi_3323_ = u32();
+                                phi_3324_ = bool();
+                                phi_3325_ = u32();
+                                phi_3326_ = type_49();
                             }
-                            let _e1667 = phi_3681_;
-                            let _e1669 = phi_3318_;
-                            let _e1671 = phi_3319_;
-                            let _e1673 = phi_3320_;
-                            let _e1675 = phi_3321_;
-                            let _e1677 = phi_3322_;
-                            phi_3680_ = _e1667;
-                            phi_1099_ = _e1669;
-                            phi_1102_ = _e1671;
-                            phi_1104_ = _e1673;
-                            phi_1106_ = _e1675;
-                            phi_1108_ = _e1677;
-                            phi_3323_ = _e650;
+                            let _e1670 = phi_3685_;
+                            let _e1672 = phi_3322_;
+                            let _e1674 = phi_3323_;
+                            let _e1676 = phi_3324_;
+                            let _e1678 = phi_3325_;
+                            let _e1680 = phi_3326_;
+                            phi_3684_ = _e1670;
+                            phi_1099_ = _e1672;
+                            phi_1102_ = _e1674;
+                            phi_1104_ = _e1676;
+                            phi_1106_ = _e1678;
+                            phi_1108_ = _e1680;
+                            phi_3327_ = _e650;
                         } else {
-                            phi_3680_ = _e636;
+                            phi_3684_ = _e636;
                             phi_1099_ = type_33();
-                            phi_1102_ = bool();
-                            phi_1104_ = u32();
+                            phi_1102_ = u32();
+                            phi_1104_ = bool();
                             phi_1106_ = u32();
                             phi_1108_ = type_49();
-                            phi_3323_ = false;
+                            phi_3327_ = false;
                         }
-                        let _e1679 = phi_3680_;
-                        let _e1681 = phi_1099_;
-                        let _e1683 = phi_1102_;
-                        let _e1685 = phi_1104_;
-                        let _e1687 = phi_1106_;
-                        let _e1689 = phi_1108_;
-                        let _e1691 = phi_3323_;
+                        let _e1682 = phi_3684_;
+                        let _e1684 = phi_1099_;
+                        let _e1686 = phi_1102_;
+                        let _e1688 = phi_1104_;
+                        let _e1690 = phi_1106_;
+                        let _e1692 = phi_1108_;
+                        let _e1694 = phi_3327_;
                         continue;
                         continuing {
-                            phi_3525_ = _e1679;
-                            phi_1098_ = _e1681;
-                            phi_1101_ = _e1683;
-                            phi_1103_ = _e1685;
-                            phi_1105_ = _e1687;
-                            phi_1107_ = _e1689;
-                            phi_3679_ = _e1679;
-                            break if !(_e1691);
+                            phi_3529_ = _e1682;
+                            phi_1098_ = _e1684;
+                            phi_1101_ = _e1686;
+                            phi_1103_ = _e1688;
+                            phi_1105_ = _e1690;
+                            phi_1107_ = _e1692;
+                            phi_3683_ = _e1682;
+                            break if !(_e1694);
                         }
                     }
-                    let _e1694 = phi_3679_;
-                    if _e1694 {
+                    let _e1697 = phi_3683_;
+                    if _e1697 {
                         break;
                     }
-                    let _e1696 = local_10;
-                    if (_e1696.member.member_3 != 4294967295u) {
-                        let _e1701 = -(_e506);
-                        let _e1702 = bitcast<u32>(_e1696.member.member);
-                        let _e1706 = (bitcast<i32>((_e1702 >> bitcast<u32>(23i))) & 255i);
-                        let _e1707 = (_e1706 + _e1701);
-                        if (_e1706 == 255i) {
-                            phi_3382_ = _e1696.member.member;
+                    let _e1699 = local_10;
+                    if (_e1699.member.member_3 != 4294967295u) {
+                        let _e1704 = -(_e506);
+                        let _e1705 = bitcast<u32>(_e1699.member.member);
+                        let _e1709 = (bitcast<i32>((_e1705 >> bitcast<u32>(23i))) & 255i);
+                        let _e1710 = (_e1709 + _e1704);
+                        if (_e1709 == 255i) {
+                            phi_3386_ = _e1699.member.member;
                         } else {
-                            if (_e1706 > 0i) {
-                                if (_e1707 > 0i) {
-                                    let _e1711 = (_e1707 < 255i);
-                                    if _e1711 {
-                                        phi_3361_ = bitcast<f32>((_e1702 + bitcast<u32>((_e1701 << bitcast<u32>(23i)))));
+                            if (_e1709 > 0i) {
+                                if (_e1710 > 0i) {
+                                    let _e1714 = (_e1710 < 255i);
+                                    if _e1714 {
+                                        phi_3365_ = bitcast<f32>((_e1705 + bitcast<u32>((_e1704 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3361_ = f32();
+                                        phi_3365_ = f32();
                                     }
-                                    let _e1718 = phi_3361_;
-                                    phi_3363_ = _e1718;
-                                    phi_3364_ = select(true, false, _e1711);
+                                    let _e1721 = phi_3365_;
+                                    phi_3367_ = _e1721;
+                                    phi_3368_ = select(true, false, _e1714);
                                 } else {
-                                    phi_3363_ = f32();
-                                    phi_3364_ = true;
+                                    phi_3367_ = f32();
+                                    phi_3368_ = true;
                                 }
-                                let _e1721 = phi_3363_;
-                                let _e1723 = phi_3364_;
-                                phi_3365_ = _e1721;
-                                phi_3366_ = _e1723;
+                                let _e1724 = phi_3367_;
+                                let _e1726 = phi_3368_;
+                                phi_3369_ = _e1724;
+                                phi_3370_ = _e1726;
                             } else {
-                                phi_3365_ = f32();
-                                phi_3366_ = true;
+                                phi_3369_ = f32();
+                                phi_3370_ = true;
                             }
-                            let _e1725 = phi_3365_;
-                            let _e1727 = phi_3366_;
-                            if _e1727 {
-                                let _e1728 = (_e1702 & 2147483648u);
-                                let _e1735 = ((_e1702 & 8388607u) | (select(0u, 1u, ((_e1702 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1739 = (_e1735 == 0u);
-                                if _e1739 {
-                                    phi_3489_ = bitcast<f32>(_e1728);
+                            let _e1728 = phi_3369_;
+                            let _e1730 = phi_3370_;
+                            if _e1730 {
+                                let _e1731 = (_e1705 & 2147483648u);
+                                let _e1738 = ((_e1705 & 8388607u) | (select(0u, 1u, ((_e1705 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1742 = (_e1738 == 0u);
+                                if _e1742 {
+                                    phi_3493_ = bitcast<f32>(_e1731);
                                 } else {
-                                    let _e1744 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1735)), 32u, _e1739) - 8u);
-                                    let _e1747 = (_e1735 << bitcast<u32>((_e1744 & 31u)));
-                                    let _e1749 = ((_e1707 + select(0i, 1i, (_e1706 == 0i))) - bitcast<i32>(_e1744));
-                                    if (_e1749 >= 255i) {
-                                        phi_3479_ = bitcast<f32>((_e1728 | 2139095040u));
-                                        phi_3480_ = f32();
-                                        phi_3481_ = true;
+                                    let _e1747 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1738)), 32u, _e1742) - 8u);
+                                    let _e1750 = (_e1738 << bitcast<u32>((_e1747 & 31u)));
+                                    let _e1752 = ((_e1710 + select(0i, 1i, (_e1709 == 0i))) - bitcast<i32>(_e1747));
+                                    if (_e1752 >= 255i) {
+                                        phi_3483_ = bitcast<f32>((_e1731 | 2139095040u));
+                                        phi_3484_ = f32();
+                                        phi_3485_ = true;
                                     } else {
-                                        let _e1751 = (_e1749 > 0i);
-                                        if _e1751 {
-                                            phi_3473_ = bitcast<f32>(((_e1728 | (bitcast<u32>(_e1749) << bitcast<u32>(23i))) | (_e1747 & 8388607u)));
-                                            phi_3474_ = f32();
+                                        let _e1754 = (_e1752 > 0i);
+                                        if _e1754 {
+                                            phi_3477_ = bitcast<f32>(((_e1731 | (bitcast<u32>(_e1752) << bitcast<u32>(23i))) | (_e1750 & 8388607u)));
+                                            phi_3478_ = f32();
                                         } else {
-                                            if (_e1749 < -24i) {
-                                                phi_3439_ = 26u;
+                                            if (_e1752 < -24i) {
+                                                phi_3443_ = 26u;
                                             } else {
-                                                phi_3439_ = bitcast<u32>((1i - _e1749));
+                                                phi_3443_ = bitcast<u32>((1i - _e1752));
                                             }
-                                            let _e1756 = phi_3439_;
-                                            let _e1757 = (_e1756 & 31u);
-                                            let _e1759 = (_e1747 >> bitcast<u32>(_e1757));
-                                            let _e1763 = (_e1747 & ((1u << bitcast<u32>(_e1757)) - 1u));
-                                            let _e1767 = (1u << bitcast<u32>(((_e1756 - 1u) & 31u)));
-                                            if (_e1763 > _e1767) {
-                                                phi_3460_ = true;
+                                            let _e1759 = phi_3443_;
+                                            let _e1760 = (_e1759 & 31u);
+                                            let _e1762 = (_e1750 >> bitcast<u32>(_e1760));
+                                            let _e1766 = (_e1750 & ((1u << bitcast<u32>(_e1760)) - 1u));
+                                            let _e1770 = (1u << bitcast<u32>(((_e1759 - 1u) & 31u)));
+                                            if (_e1766 > _e1770) {
+                                                phi_3464_ = true;
                                             } else {
-                                                if (_e1763 == _e1767) {
-                                                    phi_3457_ = ((_e1759 & 1u) == 1u);
+                                                if (_e1766 == _e1770) {
+                                                    phi_3461_ = ((_e1762 & 1u) == 1u);
                                                 } else {
-                                                    phi_3457_ = false;
+                                                    phi_3461_ = false;
                                                 }
-                                                let _e1773 = phi_3457_;
-                                                phi_3460_ = _e1773;
+                                                let _e1776 = phi_3461_;
+                                                phi_3464_ = _e1776;
                                             }
-                                            let _e1775 = phi_3460_;
-                                            phi_3473_ = f32();
-                                            phi_3474_ = bitcast<f32>((_e1728 | (_e1759 + select(0u, 1u, _e1775))));
+                                            let _e1778 = phi_3464_;
+                                            phi_3477_ = f32();
+                                            phi_3478_ = bitcast<f32>((_e1731 | (_e1762 + select(0u, 1u, _e1778))));
                                         }
-                                        let _e1788 = phi_3473_;
-                                        let _e1790 = phi_3474_;
-                                        phi_3479_ = _e1788;
-                                        phi_3480_ = _e1790;
-                                        phi_3481_ = _e1751;
+                                        let _e1791 = phi_3477_;
+                                        let _e1793 = phi_3478_;
+                                        phi_3483_ = _e1791;
+                                        phi_3484_ = _e1793;
+                                        phi_3485_ = _e1754;
                                     }
-                                    let _e1794 = phi_3479_;
-                                    let _e1796 = phi_3480_;
-                                    let _e1798 = phi_3481_;
-                                    phi_3489_ = select(_e1796, _e1794, _e1798);
+                                    let _e1797 = phi_3483_;
+                                    let _e1799 = phi_3484_;
+                                    let _e1801 = phi_3485_;
+                                    phi_3493_ = select(_e1799, _e1797, _e1801);
                                 }
-                                let _e1802 = phi_3489_;
-                                phi_3381_ = _e1802;
+                                let _e1805 = phi_3493_;
+                                phi_3385_ = _e1805;
                             } else {
-                                phi_3381_ = _e1725;
+                                phi_3385_ = _e1728;
                             }
-                            let _e1804 = phi_3381_;
-                            phi_3382_ = _e1804;
+                            let _e1807 = phi_3385_;
+                            phi_3386_ = _e1807;
                         }
-                        let _e1806 = phi_3382_;
-                        let _e1807 = bitcast<u32>(_e1806);
-                        if ((_e1807 & 2147483647u) >= 2139095040u) {
-                            phi_3394_ = bitcast<f32>(((_e1807 & 2147483648u) | 2139095039u));
+                        let _e1809 = phi_3386_;
+                        let _e1810 = bitcast<u32>(_e1809);
+                        if ((_e1810 & 2147483647u) >= 2139095040u) {
+                            phi_3398_ = bitcast<f32>(((_e1810 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3394_ = _e1806;
+                            phi_3398_ = _e1809;
                         }
-                        let _e1814 = phi_3394_;
-                        phi_3399_ = type_22(_e1814, _e1696.member.member_1, _e1696.member.member_2, _e1696.member.member_3);
+                        let _e1817 = phi_3398_;
+                        phi_3403_ = type_22(_e1817, _e1699.member.member_1, _e1699.member.member_2, _e1699.member.member_3);
                     } else {
-                        phi_3399_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3403_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1819 = phi_3399_;
+                    let _e1822 = phi_3403_;
                     if _e137 {
                     } else {
                         break;
                     }
-                    global_6.member[_e135] = _e1819;
+                    global_6.member[_e135] = _e1822;
                 }
             }
             break;

@@ -128,27 +128,16 @@ fn function_() {
     var phi_1009_: u32;
     var phi_1017_: f32;
     var phi_1018_: f32;
-    var phi_3719_: bool;
+    var phi_3723_: bool;
     var phi_1101_: type_29;
-    var phi_1104_: bool;
-    var phi_1106_: u32;
+    var phi_1104_: u32;
+    var phi_1106_: bool;
     var phi_1108_: u32;
     var phi_1110_: type_50;
     var phi_1121_: bool;
     var phi_1207_: bool;
     var phi_1208_: u32;
     var phi_1209_: type_50;
-    var phi_2516_: type_37;
-    var phi_3402_: type_50;
-    var phi_3479_: type_50;
-    var phi_3480_: u32;
-    var phi_3481_: type_50;
-    var phi_3483_: u32;
-    var phi_3484_: type_50;
-    var phi_3485_: bool;
-    var phi_3492_: type_50;
-    var phi_3497_: bool;
-    var phi_3499_: type_50;
     var phi_1228_: type_29;
     var phi_1231_: type_4;
     var phi_1232_: type_4;
@@ -196,51 +185,63 @@ fn function_() {
     var phi_2489_: type_29;
     var phi_2490_: type_29;
     var phi_1229_: type_29;
-    var phi_3713_: bool;
-    var phi_3895_: bool;
-    var phi_3503_: type_29;
-    var phi_3504_: bool;
-    var phi_3505_: u32;
-    var phi_3506_: type_50;
-    var phi_3894_: bool;
-    var phi_3507_: type_29;
-    var phi_3508_: bool;
-    var phi_3509_: u32;
-    var phi_3510_: u32;
-    var phi_3511_: type_50;
-    var phi_3893_: bool;
-    var phi_3512_: type_29;
+    var phi_3717_: bool;
+    var phi_3954_: bool;
+    var phi_2491_: type_29;
+    var phi_2512_: type_37;
+    var phi_3398_: type_50;
+    var phi_3474_: type_50;
+    var phi_3475_: u32;
+    var phi_3476_: type_50;
+    var phi_3478_: u32;
+    var phi_3479_: type_50;
+    var phi_3480_: bool;
+    var phi_3487_: type_50;
+    var phi_3492_: bool;
+    var phi_3494_: type_50;
+    var phi_3498_: bool;
+    var phi_3499_: u32;
+    var phi_3500_: type_50;
+    var phi_3510_: type_50;
+    var phi_3898_: bool;
+    var phi_3511_: type_29;
+    var phi_3512_: u32;
     var phi_3513_: bool;
     var phi_3514_: u32;
-    var phi_3515_: u32;
-    var phi_3516_: type_50;
-    var phi_3892_: bool;
+    var phi_3515_: type_50;
+    var phi_3897_: bool;
+    var phi_3516_: type_29;
+    var phi_3517_: u32;
+    var phi_3518_: bool;
+    var phi_3519_: u32;
+    var phi_3520_: type_50;
+    var phi_3896_: bool;
     var phi_1102_: type_29;
-    var phi_1105_: bool;
-    var phi_1107_: u32;
+    var phi_1105_: u32;
+    var phi_1107_: bool;
     var phi_1109_: u32;
     var phi_1111_: type_50;
-    var phi_3517_: bool;
-    var phi_3891_: bool;
+    var phi_3521_: bool;
+    var phi_3895_: bool;
     var local_10: type_29;
-    var phi_3555_: f32;
-    var phi_3557_: f32;
-    var phi_3558_: bool;
     var phi_3559_: f32;
-    var phi_3560_: bool;
-    var phi_3633_: u32;
-    var phi_3651_: bool;
-    var phi_3654_: bool;
-    var phi_3667_: f32;
-    var phi_3668_: f32;
-    var phi_3673_: f32;
-    var phi_3674_: f32;
-    var phi_3675_: bool;
-    var phi_3683_: f32;
-    var phi_3575_: f32;
-    var phi_3576_: f32;
-    var phi_3588_: f32;
-    var phi_3593_: type_18;
+    var phi_3561_: f32;
+    var phi_3562_: bool;
+    var phi_3563_: f32;
+    var phi_3564_: bool;
+    var phi_3637_: u32;
+    var phi_3655_: bool;
+    var phi_3658_: bool;
+    var phi_3671_: f32;
+    var phi_3672_: f32;
+    var phi_3677_: f32;
+    var phi_3678_: f32;
+    var phi_3679_: bool;
+    var phi_3687_: f32;
+    var phi_3579_: f32;
+    var phi_3580_: f32;
+    var phi_3592_: f32;
+    var phi_3597_: type_18;
     var local_11: type_29;
 
     switch bitcast<i32>(0u) {
@@ -603,31 +604,31 @@ fn function_() {
                         break;
                     }
                     let _e627 = local_8[_e616];
-                    phi_3719_ = false;
+                    phi_3723_ = false;
                     phi_1101_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e601);
-                    phi_1104_ = (_e603 <= _e601);
-                    phi_1106_ = ((3u * _e85) + 1u);
+                    phi_1104_ = ((3u * _e85) + 1u);
+                    phi_1106_ = (_e603 <= _e601);
                     phi_1108_ = 0u;
                     phi_1110_ = type_50(type_42(array<f32, 3>(_e611, _e615, _e619), array<f32, 3>(_e623, _e625, _e627)), select(0u, 2147483648u, (_e85 == 0u)));
                     loop {
-                        let _e635 = phi_3719_;
+                        let _e635 = phi_3723_;
                         let _e637 = phi_1101_;
                         let _e639 = phi_1104_;
                         let _e641 = phi_1106_;
                         let _e643 = phi_1108_;
                         let _e645 = phi_1110_;
                         local_10 = _e637;
-                        if _e639 {
+                        if _e641 {
                             phi_1121_ = true;
                         } else {
                             phi_1121_ = (_e643 > 0u);
                         }
                         let _e648 = phi_1121_;
                         if _e648 {
-                            let _e649 = (_e641 > 0u);
+                            let _e649 = (_e639 > 0u);
                             if _e649 {
-                                if _e639 {
-                                    phi_1207_ = _e639;
+                                if _e641 {
+                                    phi_1207_ = _e641;
                                     phi_1208_ = _e643;
                                     phi_1209_ = _e645;
                                 } else {
@@ -636,49 +637,49 @@ fn function_() {
                                     let _e652 = (_e651 < 128u);
                                     if _e652 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_3895_ = true;
                                         break;
                                     }
                                     let _e654 = local_6[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_3895_ = true;
                                         break;
                                     }
                                     let _e656 = local_5[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_3895_ = true;
                                         break;
                                     }
                                     let _e658 = local_4[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_3895_ = true;
                                         break;
                                     }
                                     let _e660 = local_3[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_3895_ = true;
                                         break;
                                     }
                                     let _e663 = local_2[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_3895_ = true;
                                         break;
                                     }
                                     let _e665 = local_1[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_3895_ = true;
                                         break;
                                     }
                                     let _e667 = local[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_3895_ = true;
                                         break;
                                     }
                                     let _e672 = local_7[_e651];
@@ -690,824 +691,834 @@ fn function_() {
                                 let _e678 = phi_1208_;
                                 let _e680 = phi_1209_;
                                 if _e676 {
-                                    if ((_e680.member_1 & 2147483648u) != 0u) {
+                                    let _e684 = ((_e680.member_1 & 2147483648u) != 0u);
+                                    if _e684 {
                                         phi_1228_ = _e637;
                                         phi_1231_ = type_4(0u, ((_e680.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1057 = phi_1228_;
-                                            let _e1059 = phi_1231_;
-                                            local_11 = _e1057;
-                                            if (_e1059.member < _e1059.member_1) {
-                                                phi_1232_ = type_4((_e1059.member + 1u), _e1059.member_1);
-                                                phi_1254_ = type_4(1u, _e1059.member);
+                                            let _e692 = phi_1228_;
+                                            let _e694 = phi_1231_;
+                                            local_11 = _e692;
+                                            if (_e694.member < _e694.member_1) {
+                                                phi_1232_ = type_4((_e694.member + 1u), _e694.member_1);
+                                                phi_1254_ = type_4(1u, _e694.member);
                                             } else {
-                                                phi_1232_ = _e1059;
+                                                phi_1232_ = _e694;
                                                 phi_1254_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1072 = phi_1232_;
-                                            let _e1074 = phi_1254_;
-                                            let _e1078 = (bitcast<i32>(_e1074.member) != 0i);
-                                            if _e1078 {
-                                                let _e1079 = ((_e680.member_1 & 268435455u) + _e1074.member_1);
-                                                let _e1080 = (_e1079 < arrayLength((&global_6.member)));
-                                                if _e1080 {
-                                                    if _e1080 {
+                                            let _e707 = phi_1232_;
+                                            let _e709 = phi_1254_;
+                                            let _e713 = (bitcast<i32>(_e709.member) != 0i);
+                                            if _e713 {
+                                                let _e714 = ((_e680.member_1 & 268435455u) + _e709.member_1);
+                                                let _e715 = (_e714 < arrayLength((&global_6.member)));
+                                                if _e715 {
+                                                    if _e715 {
                                                     } else {
-                                                        phi_3713_ = true;
+                                                        phi_3717_ = true;
                                                         break;
                                                     }
-                                                    let _e1083 = global_6.member[_e1079].member_1;
-                                                    phi_1279_ = _e1083;
+                                                    let _e718 = global_6.member[_e714].member_1;
+                                                    phi_1279_ = _e718;
                                                 } else {
                                                     phi_1279_ = 4294967295u;
                                                 }
-                                                let _e1085 = phi_1279_;
-                                                if _e1080 {
-                                                    if _e1080 {
+                                                let _e720 = phi_1279_;
+                                                if _e715 {
+                                                    if _e715 {
                                                     } else {
-                                                        phi_3713_ = true;
+                                                        phi_3717_ = true;
                                                         break;
                                                     }
-                                                    let _e1087 = global_6.member[_e1079];
-                                                    phi_1295_ = _e1087;
+                                                    let _e722 = global_6.member[_e714];
+                                                    phi_1295_ = _e722;
                                                 } else {
                                                     phi_1295_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e1089 = phi_1295_;
-                                                let _e1101 = ((10u * _e248) & 31u);
-                                                let _e1104 = ((_e1089.member[0] >> bitcast<u32>(_e1101)) & 1023u);
-                                                let _e1112 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e120));
-                                                let _e1117 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1104)) - 8388608f) * _e1112)) ^ _e120)));
-                                                let _e1121 = select(select(_e680.member.member_1[0], _e1117, (_e1117 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1104 == 1023u));
-                                                let _e1123 = ((10u * _e247) & 31u);
-                                                let _e1126 = ((_e1089.member[0] >> bitcast<u32>(_e1123)) & 1023u);
-                                                let _e1134 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e120));
-                                                let _e1139 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1126)) - 8388608f) * _e1134)) ^ _e120)));
-                                                let _e1143 = select(select(_e680.member.member_1[1], _e1139, (_e1139 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1126 == 1023u));
-                                                let _e1145 = ((10u * _e249) & 31u);
-                                                let _e1148 = ((_e1089.member[0] >> bitcast<u32>(_e1145)) & 1023u);
-                                                let _e1156 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e120));
-                                                let _e1161 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1148)) - 8388608f) * _e1156)) ^ _e120)));
-                                                let _e1165 = select(select(_e680.member.member_1[2], _e1161, (_e1161 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1148 == 1023u));
-                                                let _e1169 = ((_e1089.member[1] >> bitcast<u32>(_e1101)) & 1023u);
-                                                let _e1177 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1169)) - 8388608f) * _e1112)) ^ _e120)));
-                                                let _e1181 = select(select(_e680.member.member_1[0], _e1177, (_e1177 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1169 == 1023u));
-                                                let _e1184 = ((_e1089.member[1] >> bitcast<u32>(_e1123)) & 1023u);
-                                                let _e1192 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1184)) - 8388608f) * _e1134)) ^ _e120)));
-                                                let _e1196 = select(select(_e680.member.member_1[1], _e1192, (_e1192 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1184 == 1023u));
-                                                let _e1199 = ((_e1089.member[1] >> bitcast<u32>(_e1145)) & 1023u);
-                                                let _e1207 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1199)) - 8388608f) * _e1156)) ^ _e120)));
-                                                let _e1211 = select(select(_e680.member.member_1[2], _e1207, (_e1207 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1199 == 1023u));
-                                                let _e1215 = ((_e1089.member[2] >> bitcast<u32>(_e1101)) & 1023u);
-                                                let _e1223 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1215)) - 8388608f) * _e1112)) ^ _e120)));
-                                                let _e1227 = select(select(_e680.member.member_1[0], _e1223, (_e1223 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1215 == 1023u));
-                                                let _e1230 = ((_e1089.member[2] >> bitcast<u32>(_e1123)) & 1023u);
-                                                let _e1238 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1230)) - 8388608f) * _e1134)) ^ _e120)));
-                                                let _e1242 = select(select(_e680.member.member_1[1], _e1238, (_e1238 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1230 == 1023u));
-                                                let _e1245 = ((_e1089.member[2] >> bitcast<u32>(_e1145)) & 1023u);
-                                                let _e1253 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1245)) - 8388608f) * _e1156)) ^ _e120)));
-                                                let _e1257 = select(select(_e680.member.member_1[2], _e1253, (_e1253 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1245 == 1023u));
-                                                let _e1261 = (_e1165 - _e449);
-                                                let _e1264 = (((_e1121 - _e312) * _e488) - (_e1261 * _e352));
-                                                let _e1267 = (((_e1143 - _e381) * _e488) - (_e1261 * _e420));
-                                                let _e1270 = (_e1211 - _e449);
-                                                let _e1273 = (((_e1181 - _e312) * _e488) - (_e1270 * _e352));
-                                                let _e1276 = (((_e1196 - _e381) * _e488) - (_e1270 * _e420));
-                                                let _e1279 = (_e1257 - _e449);
-                                                let _e1282 = (((_e1227 - _e312) * _e488) - (_e1279 * _e352));
-                                                let _e1285 = (((_e1242 - _e381) * _e488) - (_e1279 * _e420));
-                                                let _e1286 = (_e1282 * _e1276);
-                                                let _e1287 = (_e1285 * _e1273);
-                                                let _e1288 = (_e1264 * _e1285);
-                                                let _e1289 = (_e1267 * _e1282);
-                                                let _e1290 = (_e1273 * _e1267);
-                                                let _e1291 = (_e1276 * _e1264);
-                                                let _e1296 = (((_e1286 >= _e1287) && (_e1288 >= _e1289)) && (_e1290 >= _e1291));
-                                                if (_e1296 || (((_e1286 <= _e1287) && (_e1288 <= _e1289)) && (_e1290 <= _e1291))) {
-                                                    let _e1303 = select(-1f, 1f, _e1296);
-                                                    let _e1305 = ((_e1286 - _e1287) * _e1303);
-                                                    let _e1307 = select(0f, _e1305, (_e1305 > 0f));
-                                                    let _e1309 = ((_e1288 - _e1289) * _e1303);
-                                                    let _e1311 = select(0f, _e1309, (_e1309 > 0f));
-                                                    let _e1313 = ((_e1290 - _e1291) * _e1303);
-                                                    let _e1315 = select(0f, _e1313, (_e1313 > 0f));
-                                                    let _e1317 = ((_e1307 + _e1311) + _e1315);
-                                                    if (_e1317 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e724 = phi_1295_;
+                                                let _e736 = ((10u * _e248) & 31u);
+                                                let _e739 = ((_e724.member[0] >> bitcast<u32>(_e736)) & 1023u);
+                                                let _e747 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e120));
+                                                let _e752 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e739)) - 8388608f) * _e747)) ^ _e120)));
+                                                let _e756 = select(select(_e680.member.member_1[0], _e752, (_e752 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e739 == 1023u));
+                                                let _e758 = ((10u * _e247) & 31u);
+                                                let _e761 = ((_e724.member[0] >> bitcast<u32>(_e758)) & 1023u);
+                                                let _e769 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e120));
+                                                let _e774 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e761)) - 8388608f) * _e769)) ^ _e120)));
+                                                let _e778 = select(select(_e680.member.member_1[1], _e774, (_e774 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e761 == 1023u));
+                                                let _e780 = ((10u * _e249) & 31u);
+                                                let _e783 = ((_e724.member[0] >> bitcast<u32>(_e780)) & 1023u);
+                                                let _e791 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e120));
+                                                let _e796 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e783)) - 8388608f) * _e791)) ^ _e120)));
+                                                let _e800 = select(select(_e680.member.member_1[2], _e796, (_e796 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e783 == 1023u));
+                                                let _e804 = ((_e724.member[1] >> bitcast<u32>(_e736)) & 1023u);
+                                                let _e812 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e804)) - 8388608f) * _e747)) ^ _e120)));
+                                                let _e816 = select(select(_e680.member.member_1[0], _e812, (_e812 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e804 == 1023u));
+                                                let _e819 = ((_e724.member[1] >> bitcast<u32>(_e758)) & 1023u);
+                                                let _e827 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e819)) - 8388608f) * _e769)) ^ _e120)));
+                                                let _e831 = select(select(_e680.member.member_1[1], _e827, (_e827 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e819 == 1023u));
+                                                let _e834 = ((_e724.member[1] >> bitcast<u32>(_e780)) & 1023u);
+                                                let _e842 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e834)) - 8388608f) * _e791)) ^ _e120)));
+                                                let _e846 = select(select(_e680.member.member_1[2], _e842, (_e842 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e834 == 1023u));
+                                                let _e850 = ((_e724.member[2] >> bitcast<u32>(_e736)) & 1023u);
+                                                let _e858 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e850)) - 8388608f) * _e747)) ^ _e120)));
+                                                let _e862 = select(select(_e680.member.member_1[0], _e858, (_e858 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e850 == 1023u));
+                                                let _e865 = ((_e724.member[2] >> bitcast<u32>(_e758)) & 1023u);
+                                                let _e873 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e865)) - 8388608f) * _e769)) ^ _e120)));
+                                                let _e877 = select(select(_e680.member.member_1[1], _e873, (_e873 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e865 == 1023u));
+                                                let _e880 = ((_e724.member[2] >> bitcast<u32>(_e780)) & 1023u);
+                                                let _e888 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e880)) - 8388608f) * _e791)) ^ _e120)));
+                                                let _e892 = select(select(_e680.member.member_1[2], _e888, (_e888 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e880 == 1023u));
+                                                let _e896 = (_e800 - _e449);
+                                                let _e899 = (((_e756 - _e312) * _e488) - (_e896 * _e352));
+                                                let _e902 = (((_e778 - _e381) * _e488) - (_e896 * _e420));
+                                                let _e905 = (_e846 - _e449);
+                                                let _e908 = (((_e816 - _e312) * _e488) - (_e905 * _e352));
+                                                let _e911 = (((_e831 - _e381) * _e488) - (_e905 * _e420));
+                                                let _e914 = (_e892 - _e449);
+                                                let _e917 = (((_e862 - _e312) * _e488) - (_e914 * _e352));
+                                                let _e920 = (((_e877 - _e381) * _e488) - (_e914 * _e420));
+                                                let _e921 = (_e917 * _e911);
+                                                let _e922 = (_e920 * _e908);
+                                                let _e923 = (_e899 * _e920);
+                                                let _e924 = (_e902 * _e917);
+                                                let _e925 = (_e908 * _e902);
+                                                let _e926 = (_e911 * _e899);
+                                                let _e931 = (((_e921 >= _e922) && (_e923 >= _e924)) && (_e925 >= _e926));
+                                                if (_e931 || (((_e921 <= _e922) && (_e923 <= _e924)) && (_e925 <= _e926))) {
+                                                    let _e938 = select(-1f, 1f, _e931);
+                                                    let _e940 = ((_e921 - _e922) * _e938);
+                                                    let _e942 = select(0f, _e940, (_e940 > 0f));
+                                                    let _e944 = ((_e923 - _e924) * _e938);
+                                                    let _e946 = select(0f, _e944, (_e944 > 0f));
+                                                    let _e948 = ((_e925 - _e926) * _e938);
+                                                    let _e950 = select(0f, _e948, (_e948 > 0f));
+                                                    let _e952 = ((_e942 + _e946) + _e950);
+                                                    if (_e952 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2441_ = type_18();
                                                         phi_2442_ = true;
                                                         phi_2443_ = false;
                                                     } else {
-                                                        let _e1320 = select(_e1273, _e1264, (_e1264 < _e1273));
-                                                        if (select(_e1282, _e1320, (_e1320 < _e1282)) > 0f) {
+                                                        let _e955 = select(_e908, _e899, (_e899 < _e908));
+                                                        if (select(_e917, _e955, (_e955 < _e917)) > 0f) {
                                                             phi_1733_ = true;
                                                         } else {
-                                                            let _e1325 = select(_e1273, _e1264, (_e1264 > _e1273));
-                                                            phi_1733_ = (select(_e1282, _e1325, (_e1325 > _e1282)) < 0f);
+                                                            let _e960 = select(_e908, _e899, (_e899 > _e908));
+                                                            phi_1733_ = (select(_e917, _e960, (_e960 > _e917)) < 0f);
                                                         }
-                                                        let _e1330 = phi_1733_;
-                                                        if _e1330 {
+                                                        let _e965 = phi_1733_;
+                                                        if _e965 {
                                                             phi_2438_ = type_18();
                                                             phi_2439_ = true;
                                                             phi_2440_ = false;
                                                         } else {
-                                                            let _e1332 = select(_e1276, _e1267, (_e1267 < _e1276));
-                                                            if (select(_e1285, _e1332, (_e1332 < _e1285)) > 0f) {
+                                                            let _e967 = select(_e911, _e902, (_e902 < _e911));
+                                                            if (select(_e920, _e967, (_e967 < _e920)) > 0f) {
                                                                 phi_1762_ = true;
                                                             } else {
-                                                                let _e1337 = select(_e1276, _e1267, (_e1267 > _e1276));
-                                                                phi_1762_ = (select(_e1285, _e1337, (_e1337 > _e1285)) < 0f);
+                                                                let _e972 = select(_e911, _e902, (_e902 > _e911));
+                                                                phi_1762_ = (select(_e920, _e972, (_e972 > _e920)) < 0f);
                                                             }
-                                                            let _e1342 = phi_1762_;
-                                                            if _e1342 {
+                                                            let _e977 = phi_1762_;
+                                                            if _e977 {
                                                                 phi_2436_ = type_18();
                                                                 phi_2437_ = false;
                                                             } else {
-                                                                let _e1344 = select(_e1181, _e1121, (_e1121 < _e1181));
-                                                                let _e1348 = select(_e1181, _e1121, (_e1121 > _e1181));
-                                                                let _e1352 = select(_e1196, _e1143, (_e1143 < _e1196));
-                                                                let _e1356 = select(_e1196, _e1143, (_e1143 > _e1196));
-                                                                let _e1360 = select(_e1211, _e1165, (_e1165 < _e1211));
-                                                                let _e1364 = select(_e1211, _e1165, (_e1165 > _e1211));
-                                                                let _e1369 = ((select(_e1227, _e1344, (_e1344 < _e1227)) - _e350) * _e355);
-                                                                let _e1370 = ((select(_e1227, _e1348, (_e1348 > _e1227)) - _e351) * _e355);
-                                                                let _e1373 = ((select(_e1242, _e1352, (_e1352 < _e1242)) - _e418) * _e423);
-                                                                let _e1374 = ((select(_e1242, _e1356, (_e1356 > _e1242)) - _e419) * _e423);
-                                                                let _e1377 = ((select(_e1257, _e1360, (_e1360 < _e1257)) - _e486) * _e491);
-                                                                let _e1378 = ((select(_e1257, _e1364, (_e1364 > _e1257)) - _e487) * _e491);
-                                                                let _e1380 = select(_e1378, _e1377, (_e1377 < _e1378));
-                                                                let _e1382 = select(_e1378, _e1377, (_e1377 > _e1378));
-                                                                let _e1384 = select(_e1370, _e1369, (_e1369 < _e1370));
-                                                                let _e1386 = select(_e1374, _e1373, (_e1373 < _e1374));
-                                                                let _e1388 = select(_e1386, _e1384, (_e1384 > _e1386));
-                                                                let _e1390 = select(_e1380, _e1388, (_e1388 > _e1380));
-                                                                let _e1392 = select(_e1370, _e1369, (_e1369 > _e1370));
-                                                                let _e1394 = select(_e1374, _e1373, (_e1373 > _e1374));
-                                                                let _e1396 = select(_e1394, _e1392, (_e1392 < _e1394));
-                                                                let _e1398 = select(_e1382, _e1396, (_e1396 < _e1382));
-                                                                let _e1399 = -(_e1380);
-                                                                let _e1405 = select(_e603, _e1390, (_e1390 > _e603));
-                                                                if (_e1405 > (_e1398 + (select(_e1399, _e1382, (_e1382 > _e1399)) * 0.0000019073523f))) {
+                                                                let _e979 = select(_e816, _e756, (_e756 < _e816));
+                                                                let _e983 = select(_e816, _e756, (_e756 > _e816));
+                                                                let _e987 = select(_e831, _e778, (_e778 < _e831));
+                                                                let _e991 = select(_e831, _e778, (_e778 > _e831));
+                                                                let _e995 = select(_e846, _e800, (_e800 < _e846));
+                                                                let _e999 = select(_e846, _e800, (_e800 > _e846));
+                                                                let _e1004 = ((select(_e862, _e979, (_e979 < _e862)) - _e350) * _e355);
+                                                                let _e1005 = ((select(_e862, _e983, (_e983 > _e862)) - _e351) * _e355);
+                                                                let _e1008 = ((select(_e877, _e987, (_e987 < _e877)) - _e418) * _e423);
+                                                                let _e1009 = ((select(_e877, _e991, (_e991 > _e877)) - _e419) * _e423);
+                                                                let _e1012 = ((select(_e892, _e995, (_e995 < _e892)) - _e486) * _e491);
+                                                                let _e1013 = ((select(_e892, _e999, (_e999 > _e892)) - _e487) * _e491);
+                                                                let _e1015 = select(_e1013, _e1012, (_e1012 < _e1013));
+                                                                let _e1017 = select(_e1013, _e1012, (_e1012 > _e1013));
+                                                                let _e1019 = select(_e1005, _e1004, (_e1004 < _e1005));
+                                                                let _e1021 = select(_e1009, _e1008, (_e1008 < _e1009));
+                                                                let _e1023 = select(_e1021, _e1019, (_e1019 > _e1021));
+                                                                let _e1025 = select(_e1015, _e1023, (_e1023 > _e1015));
+                                                                let _e1027 = select(_e1005, _e1004, (_e1004 > _e1005));
+                                                                let _e1029 = select(_e1009, _e1008, (_e1008 > _e1009));
+                                                                let _e1031 = select(_e1029, _e1027, (_e1027 < _e1029));
+                                                                let _e1033 = select(_e1017, _e1031, (_e1031 < _e1017));
+                                                                let _e1034 = -(_e1015);
+                                                                let _e1040 = select(_e603, _e1025, (_e1025 > _e603));
+                                                                if (_e1040 > (_e1033 + (select(_e1034, _e1017, (_e1017 > _e1034)) * 0.0000019073523f))) {
                                                                     phi_2431_ = type_18();
                                                                     phi_2432_ = true;
                                                                 } else {
-                                                                    let _e1407 = (_e1405 > _e1057.member_1);
-                                                                    if _e1407 {
+                                                                    let _e1042 = (_e1040 > _e692.member_1);
+                                                                    if _e1042 {
                                                                         phi_2430_ = type_18();
                                                                     } else {
-                                                                        let _e1408 = vec3<f32>(_e1121, _e1143, _e1165);
-                                                                        let _e1409 = vec3<f32>(_e1181, _e1196, _e1211);
-                                                                        let _e1410 = vec3<f32>(_e1227, _e1242, _e1257);
-                                                                        let _e1411 = (_e1181 - _e1121);
-                                                                        let _e1412 = (_e1196 - _e1143);
-                                                                        let _e1413 = (_e1211 - _e1165);
-                                                                        let _e1414 = vec3<f32>(_e1411, _e1412, _e1413);
-                                                                        let _e1415 = (_e1227 - _e1181);
-                                                                        let _e1416 = (_e1242 - _e1196);
-                                                                        let _e1417 = (_e1257 - _e1211);
-                                                                        let _e1418 = vec3<f32>(_e1415, _e1416, _e1417);
-                                                                        let _e1419 = (_e1121 - _e1227);
-                                                                        let _e1420 = (_e1143 - _e1242);
-                                                                        let _e1421 = (_e1165 - _e1257);
-                                                                        let _e1422 = vec3<f32>(_e1419, _e1420, _e1421);
-                                                                        let _e1425 = bitcast<f32>((bitcast<u32>(_e1411) & 2147483647u));
-                                                                        let _e1428 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
-                                                                        let _e1430 = select(_e1428, _e1425, (_e1425 > _e1428));
-                                                                        let _e1433 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
-                                                                        let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
-                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
-                                                                        let _e1441 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
-                                                                        let _e1443 = select(_e1441, _e1438, (_e1438 > _e1441));
-                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
-                                                                        let _e1448 = select(_e1446, _e1443, (_e1443 > _e1446));
-                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
-                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
-                                                                        let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
-                                                                        let _e1459 = bitcast<f32>((bitcast<u32>(_e1421) & 2147483647u));
-                                                                        let _e1461 = select(_e1459, _e1456, (_e1456 > _e1459));
-                                                                        let _e1463 = select(_e1448, _e1435, (_e1435 > _e1448));
-                                                                        let _e1465 = select(_e1461, _e1463, (_e1463 > _e1461));
-                                                                        if (_e1435 == _e1465) {
-                                                                            phi_2157_ = _e1276;
-                                                                            phi_2158_ = _e1273;
-                                                                            phi_2159_ = _e1267;
-                                                                            phi_2160_ = _e1264;
-                                                                            phi_2161_ = _e1408;
-                                                                            phi_2162_ = _e1422;
-                                                                            phi_2163_ = _e1418;
-                                                                            phi_2164_ = _e1414;
+                                                                        let _e1043 = vec3<f32>(_e756, _e778, _e800);
+                                                                        let _e1044 = vec3<f32>(_e816, _e831, _e846);
+                                                                        let _e1045 = vec3<f32>(_e862, _e877, _e892);
+                                                                        let _e1046 = (_e816 - _e756);
+                                                                        let _e1047 = (_e831 - _e778);
+                                                                        let _e1048 = (_e846 - _e800);
+                                                                        let _e1049 = vec3<f32>(_e1046, _e1047, _e1048);
+                                                                        let _e1050 = (_e862 - _e816);
+                                                                        let _e1051 = (_e877 - _e831);
+                                                                        let _e1052 = (_e892 - _e846);
+                                                                        let _e1053 = vec3<f32>(_e1050, _e1051, _e1052);
+                                                                        let _e1054 = (_e756 - _e862);
+                                                                        let _e1055 = (_e778 - _e877);
+                                                                        let _e1056 = (_e800 - _e892);
+                                                                        let _e1057 = vec3<f32>(_e1054, _e1055, _e1056);
+                                                                        let _e1060 = bitcast<f32>((bitcast<u32>(_e1046) & 2147483647u));
+                                                                        let _e1063 = bitcast<f32>((bitcast<u32>(_e1047) & 2147483647u));
+                                                                        let _e1065 = select(_e1063, _e1060, (_e1060 > _e1063));
+                                                                        let _e1068 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
+                                                                        let _e1070 = select(_e1068, _e1065, (_e1065 > _e1068));
+                                                                        let _e1073 = bitcast<f32>((bitcast<u32>(_e1050) & 2147483647u));
+                                                                        let _e1076 = bitcast<f32>((bitcast<u32>(_e1051) & 2147483647u));
+                                                                        let _e1078 = select(_e1076, _e1073, (_e1073 > _e1076));
+                                                                        let _e1081 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
+                                                                        let _e1083 = select(_e1081, _e1078, (_e1078 > _e1081));
+                                                                        let _e1086 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
+                                                                        let _e1089 = bitcast<f32>((bitcast<u32>(_e1055) & 2147483647u));
+                                                                        let _e1091 = select(_e1089, _e1086, (_e1086 > _e1089));
+                                                                        let _e1094 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
+                                                                        let _e1096 = select(_e1094, _e1091, (_e1091 > _e1094));
+                                                                        let _e1098 = select(_e1083, _e1070, (_e1070 > _e1083));
+                                                                        let _e1100 = select(_e1096, _e1098, (_e1098 > _e1096));
+                                                                        if (_e1070 == _e1100) {
+                                                                            phi_2157_ = _e911;
+                                                                            phi_2158_ = _e908;
+                                                                            phi_2159_ = _e902;
+                                                                            phi_2160_ = _e899;
+                                                                            phi_2161_ = _e1043;
+                                                                            phi_2162_ = _e1057;
+                                                                            phi_2163_ = _e1053;
+                                                                            phi_2164_ = _e1049;
                                                                         } else {
-                                                                            let _e1467 = (_e1448 == _e1465);
-                                                                            let _e1472 = vec3(_e1467);
-                                                                            phi_2157_ = select(_e1267, _e1285, _e1467);
-                                                                            phi_2158_ = select(_e1264, _e1282, _e1467);
-                                                                            phi_2159_ = select(_e1285, _e1276, _e1467);
-                                                                            phi_2160_ = select(_e1282, _e1273, _e1467);
-                                                                            phi_2161_ = select(_e1410, _e1409, _e1472);
-                                                                            phi_2162_ = select(_e1418, _e1414, _e1472);
-                                                                            phi_2163_ = select(_e1414, _e1422, _e1472);
-                                                                            phi_2164_ = select(_e1422, _e1418, _e1472);
+                                                                            let _e1102 = (_e1083 == _e1100);
+                                                                            let _e1107 = vec3(_e1102);
+                                                                            phi_2157_ = select(_e902, _e920, _e1102);
+                                                                            phi_2158_ = select(_e899, _e917, _e1102);
+                                                                            phi_2159_ = select(_e920, _e911, _e1102);
+                                                                            phi_2160_ = select(_e917, _e908, _e1102);
+                                                                            phi_2161_ = select(_e1045, _e1044, _e1107);
+                                                                            phi_2162_ = select(_e1053, _e1049, _e1107);
+                                                                            phi_2163_ = select(_e1049, _e1057, _e1107);
+                                                                            phi_2164_ = select(_e1057, _e1053, _e1107);
                                                                         }
-                                                                        let _e1478 = phi_2157_;
-                                                                        let _e1480 = phi_2158_;
-                                                                        let _e1482 = phi_2159_;
-                                                                        let _e1484 = phi_2160_;
-                                                                        let _e1486 = phi_2161_;
-                                                                        let _e1488 = phi_2162_;
-                                                                        let _e1490 = phi_2163_;
-                                                                        let _e1492 = phi_2164_;
-                                                                        let _e1499 = ((_e1490.y * _e1488.z) - (_e1488.y * _e1490.z));
-                                                                        let _e1504 = ((_e1490.z * _e1488.x) - (_e1488.z * _e1490.x));
-                                                                        let _e1507 = ((_e1490.x * _e1488.y) - (_e1488.x * _e1490.y));
-                                                                        if (_e1307 >= _e1311) {
-                                                                            phi_2201_ = select(true, false, (_e1307 >= _e1315));
+                                                                        let _e1113 = phi_2157_;
+                                                                        let _e1115 = phi_2158_;
+                                                                        let _e1117 = phi_2159_;
+                                                                        let _e1119 = phi_2160_;
+                                                                        let _e1121 = phi_2161_;
+                                                                        let _e1123 = phi_2162_;
+                                                                        let _e1125 = phi_2163_;
+                                                                        let _e1127 = phi_2164_;
+                                                                        let _e1134 = ((_e1125.y * _e1123.z) - (_e1123.y * _e1125.z));
+                                                                        let _e1139 = ((_e1125.z * _e1123.x) - (_e1123.z * _e1125.x));
+                                                                        let _e1142 = ((_e1125.x * _e1123.y) - (_e1123.x * _e1125.y));
+                                                                        if (_e942 >= _e946) {
+                                                                            phi_2201_ = select(true, false, (_e942 >= _e950));
                                                                         } else {
                                                                             phi_2201_ = true;
                                                                         }
-                                                                        let _e1512 = phi_2201_;
-                                                                        if _e1512 {
-                                                                            phi_2210_ = select(_e1410, _e1409, vec3((_e1311 >= _e1315)));
+                                                                        let _e1147 = phi_2201_;
+                                                                        if _e1147 {
+                                                                            phi_2210_ = select(_e1045, _e1044, vec3((_e946 >= _e950)));
                                                                         } else {
-                                                                            phi_2210_ = _e1408;
+                                                                            phi_2210_ = _e1043;
                                                                         }
-                                                                        let _e1517 = phi_2210_;
-                                                                        let _e1528 = (((_e1499 * (_e1517.x - _e312)) + (_e1504 * (_e1517.y - _e381))) + (_e1507 * (_e1517.z - _e449)));
-                                                                        let _e1533 = (((_e1499 * _e352) + (_e1504 * _e420)) + (_e1507 * _e488));
-                                                                        let _e1534 = (_e1480 - _e1484);
-                                                                        let _e1535 = (_e1478 - _e1482);
-                                                                        let _e1543 = (-(((_e1484 * _e1534) + (_e1482 * _e1535))) / ((_e1534 * _e1534) + (_e1535 * _e1535)));
-                                                                        let _e1545 = select(1f, _e1543, (_e1543 < 1f));
-                                                                        let _e1547 = select(0f, _e1545, (_e1545 > 0f));
-                                                                        let _e1560 = ((_e1486.x + (_e1492.x * _e1547)) - _e312);
-                                                                        let _e1561 = ((_e1486.y + (_e1492.y * _e1547)) - _e381);
-                                                                        let _e1562 = ((_e1486.z + (_e1492.z * _e1547)) - _e449);
-                                                                        let _e1563 = (_e1562 / _e488);
-                                                                        let _e1575 = bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u));
-                                                                        let _e1578 = bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u));
-                                                                        let _e1580 = select(_e1578, _e1575, (_e1575 > _e1578));
-                                                                        let _e1583 = bitcast<f32>((bitcast<u32>(_e1562) & 2147483647u));
-                                                                        let _e1585 = select(_e1583, _e1580, (_e1580 > _e1583));
-                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1499) & 2147483647u));
-                                                                        let _e1594 = bitcast<f32>((bitcast<u32>(_e1504) & 2147483647u));
-                                                                        let _e1596 = select(_e1594, _e1591, (_e1591 > _e1594));
-                                                                        let _e1599 = bitcast<f32>((bitcast<u32>(_e1507) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1499 * _e1560) + (_e1504 * _e1561)) + (_e1507 * _e1562)) - _e1528)) & 2147483647u)) <= ((0.0000009536743f * select(_e1465, _e1585, (_e1585 > _e1465))) * select(_e1599, _e1596, (_e1596 > _e1599)))) {
-                                                                            let _e1609 = bitcast<f32>((bitcast<u32>(_e1490.x) & 2147483647u));
-                                                                            let _e1612 = bitcast<f32>((bitcast<u32>(_e1490.y) & 2147483647u));
-                                                                            let _e1614 = select(_e1612, _e1609, (_e1609 > _e1612));
-                                                                            let _e1617 = bitcast<f32>((bitcast<u32>(_e1490.z) & 2147483647u));
-                                                                            let _e1623 = bitcast<f32>((bitcast<u32>(_e1488.x) & 2147483647u));
-                                                                            let _e1626 = bitcast<f32>((bitcast<u32>(_e1488.y) & 2147483647u));
-                                                                            let _e1628 = select(_e1626, _e1623, (_e1623 > _e1626));
-                                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1488.z) & 2147483647u));
-                                                                            let _e1635 = (bitcast<f32>((bitcast<u32>(_e1533) & 2147483647u)) > ((0.0000038146973f * select(_e1617, _e1614, (_e1614 > _e1617))) * select(_e1631, _e1628, (_e1628 > _e1631))));
-                                                                            if _e1635 {
-                                                                                phi_2375_ = (_e1528 / _e1533);
+                                                                        let _e1152 = phi_2210_;
+                                                                        let _e1163 = (((_e1134 * (_e1152.x - _e312)) + (_e1139 * (_e1152.y - _e381))) + (_e1142 * (_e1152.z - _e449)));
+                                                                        let _e1168 = (((_e1134 * _e352) + (_e1139 * _e420)) + (_e1142 * _e488));
+                                                                        let _e1169 = (_e1115 - _e1119);
+                                                                        let _e1170 = (_e1113 - _e1117);
+                                                                        let _e1178 = (-(((_e1119 * _e1169) + (_e1117 * _e1170))) / ((_e1169 * _e1169) + (_e1170 * _e1170)));
+                                                                        let _e1180 = select(1f, _e1178, (_e1178 < 1f));
+                                                                        let _e1182 = select(0f, _e1180, (_e1180 > 0f));
+                                                                        let _e1195 = ((_e1121.x + (_e1127.x * _e1182)) - _e312);
+                                                                        let _e1196 = ((_e1121.y + (_e1127.y * _e1182)) - _e381);
+                                                                        let _e1197 = ((_e1121.z + (_e1127.z * _e1182)) - _e449);
+                                                                        let _e1198 = (_e1197 / _e488);
+                                                                        let _e1210 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
+                                                                        let _e1213 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
+                                                                        let _e1215 = select(_e1213, _e1210, (_e1210 > _e1213));
+                                                                        let _e1218 = bitcast<f32>((bitcast<u32>(_e1197) & 2147483647u));
+                                                                        let _e1220 = select(_e1218, _e1215, (_e1215 > _e1218));
+                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
+                                                                        let _e1229 = bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u));
+                                                                        let _e1231 = select(_e1229, _e1226, (_e1226 > _e1229));
+                                                                        let _e1234 = bitcast<f32>((bitcast<u32>(_e1142) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1134 * _e1195) + (_e1139 * _e1196)) + (_e1142 * _e1197)) - _e1163)) & 2147483647u)) <= ((0.0000009536743f * select(_e1100, _e1220, (_e1220 > _e1100))) * select(_e1234, _e1231, (_e1231 > _e1234)))) {
+                                                                            let _e1244 = bitcast<f32>((bitcast<u32>(_e1125.x) & 2147483647u));
+                                                                            let _e1247 = bitcast<f32>((bitcast<u32>(_e1125.y) & 2147483647u));
+                                                                            let _e1249 = select(_e1247, _e1244, (_e1244 > _e1247));
+                                                                            let _e1252 = bitcast<f32>((bitcast<u32>(_e1125.z) & 2147483647u));
+                                                                            let _e1258 = bitcast<f32>((bitcast<u32>(_e1123.x) & 2147483647u));
+                                                                            let _e1261 = bitcast<f32>((bitcast<u32>(_e1123.y) & 2147483647u));
+                                                                            let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
+                                                                            let _e1266 = bitcast<f32>((bitcast<u32>(_e1123.z) & 2147483647u));
+                                                                            let _e1270 = (bitcast<f32>((bitcast<u32>(_e1168) & 2147483647u)) > ((0.0000038146973f * select(_e1252, _e1249, (_e1249 > _e1252))) * select(_e1266, _e1263, (_e1263 > _e1266))));
+                                                                            if _e1270 {
+                                                                                phi_2375_ = (_e1163 / _e1168);
                                                                             } else {
                                                                                 phi_2375_ = f32();
                                                                             }
-                                                                            let _e1638 = phi_2375_;
-                                                                            phi_2377_ = _e1638;
-                                                                            phi_2378_ = select(true, false, _e1635);
+                                                                            let _e1273 = phi_2375_;
+                                                                            phi_2377_ = _e1273;
+                                                                            phi_2378_ = select(true, false, _e1270);
                                                                         } else {
                                                                             phi_2377_ = f32();
                                                                             phi_2378_ = true;
                                                                         }
-                                                                        let _e1641 = phi_2377_;
-                                                                        let _e1643 = phi_2378_;
-                                                                        if _e1643 {
-                                                                            let _e1651 = (((_e1499 * (_e1560 - (_e352 * _e1563))) + (_e1504 * (_e1561 - (_e420 * _e1563)))) / _e1533);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1651) & 2147483647u)) <= _e1465) {
-                                                                                phi_2398_ = (_e1563 + _e1651);
+                                                                        let _e1276 = phi_2377_;
+                                                                        let _e1278 = phi_2378_;
+                                                                        if _e1278 {
+                                                                            let _e1286 = (((_e1134 * (_e1195 - (_e352 * _e1198))) + (_e1139 * (_e1196 - (_e420 * _e1198)))) / _e1168);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1286) & 2147483647u)) <= _e1100) {
+                                                                                phi_2398_ = (_e1198 + _e1286);
                                                                             } else {
-                                                                                phi_2398_ = _e1563;
+                                                                                phi_2398_ = _e1198;
                                                                             }
-                                                                            let _e1658 = phi_2398_;
-                                                                            phi_2399_ = _e1658;
+                                                                            let _e1293 = phi_2398_;
+                                                                            phi_2399_ = _e1293;
                                                                         } else {
-                                                                            phi_2399_ = _e1641;
+                                                                            phi_2399_ = _e1276;
                                                                         }
-                                                                        let _e1660 = phi_2399_;
-                                                                        let _e1662 = select(_e1398, _e1660, (_e1660 < _e1398));
-                                                                        let _e1664 = select(_e1390, _e1662, (_e1662 > _e1390));
-                                                                        if (_e1664 >= _e603) {
-                                                                            let _e1666 = (_e1664 <= _e1057.member_1);
-                                                                            if _e1666 {
-                                                                                let _e1667 = (1f / _e1317);
-                                                                                phi_2422_ = type_18(_e1664, (_e1311 * _e1667), (_e1315 * _e1667), _e1085);
+                                                                        let _e1295 = phi_2399_;
+                                                                        let _e1297 = select(_e1033, _e1295, (_e1295 < _e1033));
+                                                                        let _e1299 = select(_e1025, _e1297, (_e1297 > _e1025));
+                                                                        if (_e1299 >= _e603) {
+                                                                            let _e1301 = (_e1299 <= _e692.member_1);
+                                                                            if _e1301 {
+                                                                                let _e1302 = (1f / _e952);
+                                                                                phi_2422_ = type_18(_e1299, (_e946 * _e1302), (_e950 * _e1302), _e720);
                                                                             } else {
                                                                                 phi_2422_ = type_18();
                                                                             }
-                                                                            let _e1672 = phi_2422_;
-                                                                            phi_2424_ = _e1672;
-                                                                            phi_2425_ = select(true, false, _e1666);
+                                                                            let _e1307 = phi_2422_;
+                                                                            phi_2424_ = _e1307;
+                                                                            phi_2425_ = select(true, false, _e1301);
                                                                         } else {
                                                                             phi_2424_ = type_18();
                                                                             phi_2425_ = true;
                                                                         }
-                                                                        let _e1675 = phi_2424_;
-                                                                        let _e1677 = phi_2425_;
-                                                                        if _e1677 {
+                                                                        let _e1310 = phi_2424_;
+                                                                        let _e1312 = phi_2425_;
+                                                                        if _e1312 {
                                                                             phi_2429_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2429_ = _e1675;
+                                                                            phi_2429_ = _e1310;
                                                                         }
-                                                                        let _e1679 = phi_2429_;
-                                                                        phi_2430_ = _e1679;
+                                                                        let _e1314 = phi_2429_;
+                                                                        phi_2430_ = _e1314;
                                                                     }
-                                                                    let _e1681 = phi_2430_;
-                                                                    phi_2431_ = _e1681;
-                                                                    phi_2432_ = _e1407;
+                                                                    let _e1316 = phi_2430_;
+                                                                    phi_2431_ = _e1316;
+                                                                    phi_2432_ = _e1042;
                                                                 }
-                                                                let _e1683 = phi_2431_;
-                                                                let _e1685 = phi_2432_;
-                                                                phi_2436_ = _e1683;
-                                                                phi_2437_ = _e1685;
+                                                                let _e1318 = phi_2431_;
+                                                                let _e1320 = phi_2432_;
+                                                                phi_2436_ = _e1318;
+                                                                phi_2437_ = _e1320;
                                                             }
-                                                            let _e1687 = phi_2436_;
-                                                            let _e1689 = phi_2437_;
-                                                            phi_2438_ = _e1687;
-                                                            phi_2439_ = _e1342;
-                                                            phi_2440_ = _e1689;
+                                                            let _e1322 = phi_2436_;
+                                                            let _e1324 = phi_2437_;
+                                                            phi_2438_ = _e1322;
+                                                            phi_2439_ = _e977;
+                                                            phi_2440_ = _e1324;
                                                         }
-                                                        let _e1691 = phi_2438_;
-                                                        let _e1693 = phi_2439_;
-                                                        let _e1695 = phi_2440_;
-                                                        phi_2441_ = _e1691;
-                                                        phi_2442_ = _e1693;
-                                                        phi_2443_ = _e1695;
+                                                        let _e1326 = phi_2438_;
+                                                        let _e1328 = phi_2439_;
+                                                        let _e1330 = phi_2440_;
+                                                        phi_2441_ = _e1326;
+                                                        phi_2442_ = _e1328;
+                                                        phi_2443_ = _e1330;
                                                     }
-                                                    let _e1697 = phi_2441_;
-                                                    let _e1699 = phi_2442_;
-                                                    let _e1701 = phi_2443_;
-                                                    phi_2451_ = _e1697;
-                                                    phi_2452_ = select(_e1701, true, _e1699);
+                                                    let _e1332 = phi_2441_;
+                                                    let _e1334 = phi_2442_;
+                                                    let _e1336 = phi_2443_;
+                                                    phi_2451_ = _e1332;
+                                                    phi_2452_ = select(_e1336, true, _e1334);
                                                 } else {
                                                     phi_2451_ = type_18();
                                                     phi_2452_ = true;
                                                 }
-                                                let _e1704 = phi_2451_;
-                                                let _e1706 = phi_2452_;
-                                                if _e1706 {
+                                                let _e1339 = phi_2451_;
+                                                let _e1341 = phi_2452_;
+                                                if _e1341 {
                                                     phi_2456_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2456_ = _e1704;
+                                                    phi_2456_ = _e1339;
                                                 }
-                                                let _e1708 = phi_2456_;
-                                                if (_e1708.member_3 != 4294967295u) {
-                                                    if (_e1085 != 4294967295u) {
-                                                        if (_e1708.member < _e1057.member.member) {
+                                                let _e1343 = phi_2456_;
+                                                if (_e1343.member_3 != 4294967295u) {
+                                                    if (_e720 != 4294967295u) {
+                                                        if (_e1343.member < _e692.member.member) {
                                                             phi_2482_ = true;
                                                         } else {
-                                                            if (_e1708.member == _e1057.member.member) {
-                                                                phi_2481_ = (_e1708.member_3 < _e1057.member.member_3);
+                                                            if (_e1343.member == _e692.member.member) {
+                                                                phi_2481_ = (_e1343.member_3 < _e692.member.member_3);
                                                             } else {
                                                                 phi_2481_ = false;
                                                             }
-                                                            let _e1721 = phi_2481_;
-                                                            phi_2482_ = _e1721;
+                                                            let _e1356 = phi_2481_;
+                                                            phi_2482_ = _e1356;
                                                         }
-                                                        let _e1723 = phi_2482_;
-                                                        if _e1723 {
-                                                            phi_2488_ = type_29(_e1708, _e1708.member);
+                                                        let _e1358 = phi_2482_;
+                                                        if _e1358 {
+                                                            phi_2488_ = type_29(_e1343, _e1343.member);
                                                         } else {
-                                                            phi_2488_ = _e1057;
+                                                            phi_2488_ = _e692;
                                                         }
-                                                        let _e1726 = phi_2488_;
-                                                        phi_2489_ = _e1726;
+                                                        let _e1361 = phi_2488_;
+                                                        phi_2489_ = _e1361;
                                                     } else {
-                                                        phi_2489_ = _e1057;
+                                                        phi_2489_ = _e692;
                                                     }
-                                                    let _e1728 = phi_2489_;
-                                                    phi_2490_ = _e1728;
+                                                    let _e1363 = phi_2489_;
+                                                    phi_2490_ = _e1363;
                                                 } else {
-                                                    phi_2490_ = _e1057;
+                                                    phi_2490_ = _e692;
                                                 }
-                                                let _e1730 = phi_2490_;
-                                                phi_1229_ = _e1730;
+                                                let _e1365 = phi_2490_;
+                                                phi_1229_ = _e1365;
                                             } else {
                                                 phi_1229_ = type_29();
                                             }
-                                            let _e1732 = phi_1229_;
+                                            let _e1367 = phi_1229_;
                                             continue;
                                             continuing {
-                                                phi_1228_ = _e1732;
-                                                phi_1231_ = _e1072;
-                                                phi_3713_ = _e635;
-                                                break if !(_e1078);
+                                                phi_1228_ = _e1367;
+                                                phi_1231_ = _e707;
+                                                phi_3717_ = _e635;
+                                                break if !(_e713);
                                             }
                                         }
-                                        let _e1735 = phi_3713_;
-                                        phi_3891_ = _e1735;
-                                        if _e1735 {
+                                        let _e1370 = phi_3717_;
+                                        phi_3895_ = _e1370;
+                                        if _e1370 {
                                             break;
                                         }
-                                        phi_3895_ = _e1735;
-                                        let _e2021 = local_11;
-                                        phi_3503_ = _e2021;
-                                        phi_3504_ = false;
-                                        phi_3505_ = _e678;
-                                        phi_3506_ = _e680;
+                                        phi_3954_ = _e1370;
+                                        let _e2013 = local_11;
+                                        phi_2491_ = _e2013;
                                     } else {
-                                        let _e690 = (_e680.member_1 < _e85);
-                                        if _e690 {
-                                            if _e690 {
+                                        phi_3954_ = _e635;
+                                        phi_2491_ = _e637;
+                                    }
+                                    let _e1372 = phi_3954_;
+                                    let _e1374 = phi_2491_;
+                                    if _e684 {
+                                        phi_3498_ = bool();
+                                        phi_3499_ = u32();
+                                        phi_3500_ = type_50();
+                                    } else {
+                                        let _e1375 = (_e680.member_1 < _e85);
+                                        if _e1375 {
+                                            if _e1375 {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_3895_ = true;
                                                 break;
                                             }
-                                            let _e692 = global_4.member[_e680.member_1];
-                                            phi_2516_ = _e692;
+                                            let _e1377 = global_4.member[_e680.member_1];
+                                            phi_2512_ = _e1377;
                                         } else {
-                                            phi_2516_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2512_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e694 = phi_2516_;
-                                        let _e709 = ((10u * _e248) & 31u);
-                                        let _e712 = ((_e694.member[0] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e720 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e120));
-                                        let _e725 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e712)) - 8388608f) * _e720)) ^ _e120)));
-                                        let _e729 = select(select(_e680.member.member_1[0], _e725, (_e725 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e712 == 1023u));
-                                        let _e731 = ((10u * _e247) & 31u);
-                                        let _e734 = ((_e694.member[0] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e742 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e120));
-                                        let _e747 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e734)) - 8388608f) * _e742)) ^ _e120)));
-                                        let _e751 = select(select(_e680.member.member_1[1], _e747, (_e747 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e734 == 1023u));
-                                        let _e753 = ((10u * _e249) & 31u);
-                                        let _e756 = ((_e694.member[0] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e764 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e120));
-                                        let _e769 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e756)) - 8388608f) * _e764)) ^ _e120)));
-                                        let _e773 = select(select(_e680.member.member_1[2], _e769, (_e769 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e756 == 1023u));
-                                        let _e776 = ((_e694.member[1] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e784 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e776)) - 8388608f) * _e720)) ^ _e120)));
-                                        let _e788 = select(select(_e680.member.member_1[0], _e784, (_e784 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e776 == 1023u));
-                                        let _e791 = ((_e694.member[1] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e799 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e791)) - 8388608f) * _e742)) ^ _e120)));
-                                        let _e803 = select(select(_e680.member.member_1[1], _e799, (_e799 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e791 == 1023u));
-                                        let _e806 = ((_e694.member[1] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e814 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e806)) - 8388608f) * _e764)) ^ _e120)));
-                                        let _e818 = select(select(_e680.member.member_1[2], _e814, (_e814 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e806 == 1023u));
-                                        let _e824 = ((_e694.member_1[0] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e832 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e824)) - 8388608f) * _e720)) ^ _e120)));
-                                        let _e836 = select(select(_e680.member.member_1[0], _e832, (_e832 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e824 == 1023u));
-                                        let _e839 = ((_e694.member_1[0] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e847 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e742)) ^ _e120)));
-                                        let _e851 = select(select(_e680.member.member_1[1], _e847, (_e847 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e839 == 1023u));
-                                        let _e854 = ((_e694.member_1[0] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e862 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e764)) ^ _e120)));
-                                        let _e866 = select(select(_e680.member.member_1[2], _e862, (_e862 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e854 == 1023u));
-                                        let _e869 = ((_e694.member_1[1] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e877 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e720)) ^ _e120)));
-                                        let _e881 = select(select(_e680.member.member_1[0], _e877, (_e877 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e869 == 1023u));
-                                        let _e884 = ((_e694.member_1[1] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e892 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e884)) - 8388608f) * _e742)) ^ _e120)));
-                                        let _e896 = select(select(_e680.member.member_1[1], _e892, (_e892 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e884 == 1023u));
-                                        let _e899 = ((_e694.member_1[1] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e907 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e899)) - 8388608f) * _e764)) ^ _e120)));
-                                        let _e911 = select(select(_e680.member.member_1[2], _e907, (_e907 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e899 == 1023u));
-                                        let _e916 = type_50(type_42(array<f32, 3>(_e729, _e751, _e773), array<f32, 3>(_e788, _e803, _e818)), _e694.member_2);
-                                        let _e921 = type_50(type_42(array<f32, 3>(_e836, _e851, _e866), array<f32, 3>(_e881, _e896, _e911)), _e694.member_3);
-                                        let _e927 = ((_e729 - _e350) * _e355);
-                                        let _e928 = ((_e836 - _e350) * _e355);
-                                        let _e929 = ((_e788 - _e351) * _e355);
-                                        let _e930 = ((_e881 - _e351) * _e355);
-                                        let _e935 = ((_e751 - _e418) * _e423);
-                                        let _e936 = ((_e851 - _e418) * _e423);
-                                        let _e937 = ((_e803 - _e419) * _e423);
-                                        let _e938 = ((_e896 - _e419) * _e423);
-                                        let _e943 = ((_e773 - _e486) * _e491);
-                                        let _e944 = ((_e866 - _e486) * _e491);
-                                        let _e945 = ((_e818 - _e487) * _e491);
-                                        let _e946 = ((_e911 - _e487) * _e491);
-                                        let _e948 = select(_e945, _e943, (_e943 < _e945));
-                                        let _e950 = select(_e946, _e944, (_e944 < _e946));
-                                        let _e952 = select(_e945, _e943, (_e943 > _e945));
-                                        let _e954 = select(_e946, _e944, (_e944 > _e946));
-                                        let _e956 = select(_e929, _e927, (_e927 < _e929));
-                                        let _e958 = select(_e930, _e928, (_e928 < _e930));
-                                        let _e960 = select(_e937, _e935, (_e935 < _e937));
-                                        let _e962 = select(_e938, _e936, (_e936 < _e938));
-                                        let _e964 = select(_e960, _e956, (_e956 > _e960));
-                                        let _e966 = select(_e962, _e958, (_e958 > _e962));
-                                        let _e968 = select(_e948, _e964, (_e964 > _e948));
-                                        let _e970 = select(_e950, _e966, (_e966 > _e950));
-                                        let _e972 = select(_e929, _e927, (_e927 > _e929));
-                                        let _e974 = select(_e930, _e928, (_e928 > _e930));
-                                        let _e976 = select(_e937, _e935, (_e935 > _e937));
-                                        let _e978 = select(_e938, _e936, (_e936 > _e938));
-                                        let _e980 = select(_e976, _e972, (_e972 < _e976));
-                                        let _e982 = select(_e978, _e974, (_e974 < _e978));
-                                        let _e987 = -(_e948);
-                                        let _e988 = -(_e950);
-                                        let _e995 = (select(_e952, _e980, (_e980 < _e952)) + (select(_e987, _e952, (_e952 > _e987)) * 0.0000019073523f));
-                                        let _e996 = (select(_e954, _e982, (_e982 < _e954)) + (select(_e988, _e954, (_e954 > _e988)) * 0.0000019073523f));
-                                        let _e998 = select(_e603, _e968, (_e968 > _e603));
-                                        let _e1000 = select(_e603, _e970, (_e970 > _e603));
-                                        let _e1005 = (_e998 <= select(_e637.member_1, _e995, (_e995 < _e637.member_1)));
-                                        let _e1006 = (_e1000 <= select(_e637.member_1, _e996, (_e996 < _e637.member_1)));
-                                        let _e1007 = (_e998 <= _e1000);
-                                        if _e1005 {
-                                            if _e1006 {
-                                                if _e1007 {
-                                                    phi_3402_ = _e921;
+                                        let _e1379 = phi_2512_;
+                                        let _e1394 = ((10u * _e248) & 31u);
+                                        let _e1397 = ((_e1379.member[0] >> bitcast<u32>(_e1394)) & 1023u);
+                                        let _e1405 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e120));
+                                        let _e1410 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1397)) - 8388608f) * _e1405)) ^ _e120)));
+                                        let _e1414 = select(select(_e680.member.member_1[0], _e1410, (_e1410 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1397 == 1023u));
+                                        let _e1416 = ((10u * _e247) & 31u);
+                                        let _e1419 = ((_e1379.member[0] >> bitcast<u32>(_e1416)) & 1023u);
+                                        let _e1427 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e120));
+                                        let _e1432 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1419)) - 8388608f) * _e1427)) ^ _e120)));
+                                        let _e1436 = select(select(_e680.member.member_1[1], _e1432, (_e1432 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1419 == 1023u));
+                                        let _e1438 = ((10u * _e249) & 31u);
+                                        let _e1441 = ((_e1379.member[0] >> bitcast<u32>(_e1438)) & 1023u);
+                                        let _e1449 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e120));
+                                        let _e1454 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1441)) - 8388608f) * _e1449)) ^ _e120)));
+                                        let _e1458 = select(select(_e680.member.member_1[2], _e1454, (_e1454 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1441 == 1023u));
+                                        let _e1461 = ((_e1379.member[1] >> bitcast<u32>(_e1394)) & 1023u);
+                                        let _e1469 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1461)) - 8388608f) * _e1405)) ^ _e120)));
+                                        let _e1473 = select(select(_e680.member.member_1[0], _e1469, (_e1469 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1461 == 1023u));
+                                        let _e1476 = ((_e1379.member[1] >> bitcast<u32>(_e1416)) & 1023u);
+                                        let _e1484 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1476)) - 8388608f) * _e1427)) ^ _e120)));
+                                        let _e1488 = select(select(_e680.member.member_1[1], _e1484, (_e1484 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1476 == 1023u));
+                                        let _e1491 = ((_e1379.member[1] >> bitcast<u32>(_e1438)) & 1023u);
+                                        let _e1499 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1491)) - 8388608f) * _e1449)) ^ _e120)));
+                                        let _e1503 = select(select(_e680.member.member_1[2], _e1499, (_e1499 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1491 == 1023u));
+                                        let _e1509 = ((_e1379.member_1[0] >> bitcast<u32>(_e1394)) & 1023u);
+                                        let _e1517 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1509)) - 8388608f) * _e1405)) ^ _e120)));
+                                        let _e1521 = select(select(_e680.member.member_1[0], _e1517, (_e1517 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1509 == 1023u));
+                                        let _e1524 = ((_e1379.member_1[0] >> bitcast<u32>(_e1416)) & 1023u);
+                                        let _e1532 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1524)) - 8388608f) * _e1427)) ^ _e120)));
+                                        let _e1536 = select(select(_e680.member.member_1[1], _e1532, (_e1532 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1524 == 1023u));
+                                        let _e1539 = ((_e1379.member_1[0] >> bitcast<u32>(_e1438)) & 1023u);
+                                        let _e1547 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1539)) - 8388608f) * _e1449)) ^ _e120)));
+                                        let _e1551 = select(select(_e680.member.member_1[2], _e1547, (_e1547 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1539 == 1023u));
+                                        let _e1554 = ((_e1379.member_1[1] >> bitcast<u32>(_e1394)) & 1023u);
+                                        let _e1562 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1554)) - 8388608f) * _e1405)) ^ _e120)));
+                                        let _e1566 = select(select(_e680.member.member_1[0], _e1562, (_e1562 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1554 == 1023u));
+                                        let _e1569 = ((_e1379.member_1[1] >> bitcast<u32>(_e1416)) & 1023u);
+                                        let _e1577 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1569)) - 8388608f) * _e1427)) ^ _e120)));
+                                        let _e1581 = select(select(_e680.member.member_1[1], _e1577, (_e1577 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1569 == 1023u));
+                                        let _e1584 = ((_e1379.member_1[1] >> bitcast<u32>(_e1438)) & 1023u);
+                                        let _e1592 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1584)) - 8388608f) * _e1449)) ^ _e120)));
+                                        let _e1596 = select(select(_e680.member.member_1[2], _e1592, (_e1592 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1584 == 1023u));
+                                        let _e1601 = type_50(type_42(array<f32, 3>(_e1414, _e1436, _e1458), array<f32, 3>(_e1473, _e1488, _e1503)), _e1379.member_2);
+                                        let _e1606 = type_50(type_42(array<f32, 3>(_e1521, _e1536, _e1551), array<f32, 3>(_e1566, _e1581, _e1596)), _e1379.member_3);
+                                        let _e1612 = ((_e1414 - _e350) * _e355);
+                                        let _e1613 = ((_e1521 - _e350) * _e355);
+                                        let _e1614 = ((_e1473 - _e351) * _e355);
+                                        let _e1615 = ((_e1566 - _e351) * _e355);
+                                        let _e1620 = ((_e1436 - _e418) * _e423);
+                                        let _e1621 = ((_e1536 - _e418) * _e423);
+                                        let _e1622 = ((_e1488 - _e419) * _e423);
+                                        let _e1623 = ((_e1581 - _e419) * _e423);
+                                        let _e1628 = ((_e1458 - _e486) * _e491);
+                                        let _e1629 = ((_e1551 - _e486) * _e491);
+                                        let _e1630 = ((_e1503 - _e487) * _e491);
+                                        let _e1631 = ((_e1596 - _e487) * _e491);
+                                        let _e1633 = select(_e1630, _e1628, (_e1628 < _e1630));
+                                        let _e1635 = select(_e1631, _e1629, (_e1629 < _e1631));
+                                        let _e1637 = select(_e1630, _e1628, (_e1628 > _e1630));
+                                        let _e1639 = select(_e1631, _e1629, (_e1629 > _e1631));
+                                        let _e1641 = select(_e1614, _e1612, (_e1612 < _e1614));
+                                        let _e1643 = select(_e1615, _e1613, (_e1613 < _e1615));
+                                        let _e1645 = select(_e1622, _e1620, (_e1620 < _e1622));
+                                        let _e1647 = select(_e1623, _e1621, (_e1621 < _e1623));
+                                        let _e1649 = select(_e1645, _e1641, (_e1641 > _e1645));
+                                        let _e1651 = select(_e1647, _e1643, (_e1643 > _e1647));
+                                        let _e1653 = select(_e1633, _e1649, (_e1649 > _e1633));
+                                        let _e1655 = select(_e1635, _e1651, (_e1651 > _e1635));
+                                        let _e1657 = select(_e1614, _e1612, (_e1612 > _e1614));
+                                        let _e1659 = select(_e1615, _e1613, (_e1613 > _e1615));
+                                        let _e1661 = select(_e1622, _e1620, (_e1620 > _e1622));
+                                        let _e1663 = select(_e1623, _e1621, (_e1621 > _e1623));
+                                        let _e1665 = select(_e1661, _e1657, (_e1657 < _e1661));
+                                        let _e1667 = select(_e1663, _e1659, (_e1659 < _e1663));
+                                        let _e1672 = -(_e1633);
+                                        let _e1673 = -(_e1635);
+                                        let _e1680 = (select(_e1637, _e1665, (_e1665 < _e1637)) + (select(_e1672, _e1637, (_e1637 > _e1672)) * 0.0000019073523f));
+                                        let _e1681 = (select(_e1639, _e1667, (_e1667 < _e1639)) + (select(_e1673, _e1639, (_e1639 > _e1673)) * 0.0000019073523f));
+                                        let _e1683 = select(_e603, _e1653, (_e1653 > _e603));
+                                        let _e1685 = select(_e603, _e1655, (_e1655 > _e603));
+                                        let _e1690 = (_e1683 <= select(_e1374.member_1, _e1680, (_e1680 < _e1374.member_1)));
+                                        let _e1691 = (_e1685 <= select(_e1374.member_1, _e1681, (_e1681 < _e1374.member_1)));
+                                        let _e1692 = (_e1683 <= _e1685);
+                                        if _e1690 {
+                                            if _e1691 {
+                                                if _e1692 {
+                                                    phi_3398_ = _e1606;
                                                 } else {
-                                                    phi_3402_ = _e916;
+                                                    phi_3398_ = _e1601;
                                                 }
-                                                let _e1009 = phi_3402_;
-                                                let _e1017 = (_e678 % 128u);
-                                                let _e1018 = (_e1017 < 128u);
-                                                if _e1018 {
+                                                let _e1694 = phi_3398_;
+                                                let _e1701 = (_e678 % 128u);
+                                                let _e1702 = (_e1701 < 128u);
+                                                if _e1702 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_3895_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1017] = _e1009.member_1;
-                                                if _e1018 {
+                                                local_6[_e1701] = _e1694.member_1;
+                                                if _e1702 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_3895_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1017] = _e1009.member.member[0];
-                                                if _e1018 {
+                                                local_5[_e1701] = _e1694.member.member[0];
+                                                if _e1702 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_3895_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1017] = _e1009.member.member[1];
-                                                if _e1018 {
+                                                local_4[_e1701] = _e1694.member.member[1];
+                                                if _e1702 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_3895_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1017] = _e1009.member.member[2];
-                                                if _e1018 {
+                                                local_3[_e1701] = _e1694.member.member[2];
+                                                if _e1702 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_3895_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1017] = _e1009.member.member_1[0];
-                                                if _e1018 {
+                                                local_2[_e1701] = _e1694.member.member_1[0];
+                                                if _e1702 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_3895_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1017] = _e1009.member.member_1[1];
-                                                if _e1018 {
+                                                local_1[_e1701] = _e1694.member.member_1[1];
+                                                if _e1702 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_3895_ = true;
                                                     break;
                                                 }
-                                                local[_e1017] = _e1009.member.member_1[2];
-                                                if _e1018 {
+                                                local[_e1701] = _e1694.member.member_1[2];
+                                                if _e1702 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_3895_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1017] = select(_e1000, _e998, !(_e1007));
-                                                if _e1007 {
-                                                    phi_3479_ = _e916;
+                                                local_7[_e1701] = select(_e1683, _e1685, _e1692);
+                                                if _e1692 {
+                                                    phi_3474_ = _e1601;
                                                 } else {
-                                                    phi_3479_ = _e921;
+                                                    phi_3474_ = _e1606;
                                                 }
-                                                let _e1035 = phi_3479_;
-                                                phi_3480_ = (_e678 + 1u);
-                                                phi_3481_ = _e1035;
+                                                let _e1719 = phi_3474_;
+                                                phi_3475_ = (_e678 + 1u);
+                                                phi_3476_ = _e1719;
                                             } else {
-                                                phi_3480_ = u32();
-                                                phi_3481_ = type_50();
+                                                phi_3475_ = u32();
+                                                phi_3476_ = type_50();
                                             }
-                                            let _e1037 = phi_3480_;
-                                            let _e1039 = phi_3481_;
-                                            phi_3483_ = _e1037;
-                                            phi_3484_ = _e1039;
-                                            phi_3485_ = select(true, false, _e1006);
+                                            let _e1721 = phi_3475_;
+                                            let _e1723 = phi_3476_;
+                                            phi_3478_ = _e1721;
+                                            phi_3479_ = _e1723;
+                                            phi_3480_ = select(true, false, _e1691);
                                         } else {
-                                            phi_3483_ = u32();
-                                            phi_3484_ = type_50();
-                                            phi_3485_ = true;
+                                            phi_3478_ = u32();
+                                            phi_3479_ = type_50();
+                                            phi_3480_ = true;
                                         }
-                                        let _e1042 = phi_3483_;
-                                        let _e1044 = phi_3484_;
-                                        let _e1046 = phi_3485_;
-                                        if _e1046 {
-                                            if _e1005 {
-                                                phi_3492_ = _e916;
+                                        let _e1726 = phi_3478_;
+                                        let _e1728 = phi_3479_;
+                                        let _e1730 = phi_3480_;
+                                        if _e1730 {
+                                            if _e1690 {
+                                                phi_3487_ = _e1601;
                                             } else {
-                                                phi_3492_ = _e921;
+                                                phi_3487_ = _e1606;
                                             }
-                                            let _e1048 = phi_3492_;
-                                            phi_3497_ = select(_e1006, true, _e1005);
-                                            phi_3499_ = _e1048;
+                                            let _e1732 = phi_3487_;
+                                            phi_3492_ = select(_e1691, true, _e1690);
+                                            phi_3494_ = _e1732;
                                         } else {
-                                            phi_3497_ = _e676;
-                                            phi_3499_ = _e1044;
+                                            phi_3492_ = _e676;
+                                            phi_3494_ = _e1728;
                                         }
-                                        let _e1051 = phi_3497_;
-                                        let _e1053 = phi_3499_;
-                                        phi_3895_ = _e635;
-                                        phi_3503_ = _e637;
-                                        phi_3504_ = _e1051;
-                                        phi_3505_ = select(_e1042, _e678, _e1046);
-                                        phi_3506_ = _e1053;
+                                        let _e1735 = phi_3492_;
+                                        let _e1737 = phi_3494_;
+                                        phi_3498_ = _e1735;
+                                        phi_3499_ = select(_e1726, _e678, _e1730);
+                                        phi_3500_ = _e1737;
                                     }
-                                    let _e1737 = phi_3895_;
-                                    let _e1739 = phi_3503_;
-                                    let _e1741 = phi_3504_;
-                                    let _e1743 = phi_3505_;
-                                    let _e1745 = phi_3506_;
-                                    phi_3894_ = _e1737;
-                                    phi_3507_ = _e1739;
-                                    phi_3508_ = _e1741;
-                                    phi_3509_ = (_e641 - 1u);
-                                    phi_3510_ = _e1743;
-                                    phi_3511_ = _e1745;
+                                    let _e1740 = phi_3498_;
+                                    let _e1742 = phi_3499_;
+                                    let _e1744 = phi_3500_;
+                                    if _e684 {
+                                        phi_3510_ = _e680;
+                                    } else {
+                                        phi_3510_ = _e1744;
+                                    }
+                                    let _e1746 = phi_3510_;
+                                    phi_3898_ = _e1372;
+                                    phi_3511_ = _e1374;
+                                    phi_3512_ = (_e639 - 1u);
+                                    phi_3513_ = select(_e1740, false, _e684);
+                                    phi_3514_ = select(_e1742, _e678, _e684);
+                                    phi_3515_ = _e1746;
                                 } else {
-                                    phi_3894_ = _e635;
-                                    phi_3507_ = _e637;
-                                    phi_3508_ = _e676;
-                                    phi_3509_ = _e641;
-                                    phi_3510_ = _e678;
-                                    phi_3511_ = _e680;
+                                    phi_3898_ = _e635;
+                                    phi_3511_ = _e637;
+                                    phi_3512_ = _e639;
+                                    phi_3513_ = _e676;
+                                    phi_3514_ = _e678;
+                                    phi_3515_ = _e680;
                                 }
-                                let _e1747 = phi_3894_;
-                                let _e1749 = phi_3507_;
-                                let _e1751 = phi_3508_;
-                                let _e1753 = phi_3509_;
-                                let _e1755 = phi_3510_;
-                                let _e1757 = phi_3511_;
-                                phi_3893_ = _e1747;
-                                phi_3512_ = _e1749;
-                                phi_3513_ = _e1751;
-                                phi_3514_ = _e1753;
-                                phi_3515_ = _e1755;
-                                phi_3516_ = _e1757;
+                                let _e1750 = phi_3898_;
+                                let _e1752 = phi_3511_;
+                                let _e1754 = phi_3512_;
+                                let _e1756 = phi_3513_;
+                                let _e1758 = phi_3514_;
+                                let _e1760 = phi_3515_;
+                                phi_3897_ = _e1750;
+                                phi_3516_ = _e1752;
+                                phi_3517_ = _e1754;
+                                phi_3518_ = _e1756;
+                                phi_3519_ = _e1758;
+                                phi_3520_ = _e1760;
                             } else {
-                                phi_3893_ = _e635;
-                                phi_3512_ = type_29();
-                                phi_3513_ = bool();
-                                phi_3514_ = u32();
-                                phi_3515_ = u32();
-                                phi_3516_ = type_50();
+                                phi_3897_ = _e635;
+                                phi_3516_ = type_29();
+                                phi_3517_ = u32();
+                                phi_3518_ = bool();
+                                phi_3519_ = u32();
+                                phi_3520_ = type_50();
                             }
-                            let _e1759 = phi_3893_;
-                            let _e1761 = phi_3512_;
-                            let _e1763 = phi_3513_;
-                            let _e1765 = phi_3514_;
-                            let _e1767 = phi_3515_;
-                            let _e1769 = phi_3516_;
-                            phi_3892_ = _e1759;
-                            phi_1102_ = _e1761;
-                            phi_1105_ = _e1763;
-                            phi_1107_ = _e1765;
-                            phi_1109_ = _e1767;
-                            phi_1111_ = _e1769;
-                            phi_3517_ = _e649;
+                            let _e1762 = phi_3897_;
+                            let _e1764 = phi_3516_;
+                            let _e1766 = phi_3517_;
+                            let _e1768 = phi_3518_;
+                            let _e1770 = phi_3519_;
+                            let _e1772 = phi_3520_;
+                            phi_3896_ = _e1762;
+                            phi_1102_ = _e1764;
+                            phi_1105_ = _e1766;
+                            phi_1107_ = _e1768;
+                            phi_1109_ = _e1770;
+                            phi_1111_ = _e1772;
+                            phi_3521_ = _e649;
                         } else {
-                            phi_3892_ = _e635;
+                            phi_3896_ = _e635;
                             phi_1102_ = type_29();
-                            phi_1105_ = bool();
-                            phi_1107_ = u32();
+                            phi_1105_ = u32();
+                            phi_1107_ = bool();
                             phi_1109_ = u32();
                             phi_1111_ = type_50();
-                            phi_3517_ = false;
+                            phi_3521_ = false;
                         }
-                        let _e1771 = phi_3892_;
-                        let _e1773 = phi_1102_;
-                        let _e1775 = phi_1105_;
-                        let _e1777 = phi_1107_;
-                        let _e1779 = phi_1109_;
-                        let _e1781 = phi_1111_;
-                        let _e1783 = phi_3517_;
+                        let _e1774 = phi_3896_;
+                        let _e1776 = phi_1102_;
+                        let _e1778 = phi_1105_;
+                        let _e1780 = phi_1107_;
+                        let _e1782 = phi_1109_;
+                        let _e1784 = phi_1111_;
+                        let _e1786 = phi_3521_;
                         continue;
                         continuing {
-                            phi_3719_ = _e1771;
-                            phi_1101_ = _e1773;
-                            phi_1104_ = _e1775;
-                            phi_1106_ = _e1777;
-                            phi_1108_ = _e1779;
-                            phi_1110_ = _e1781;
-                            phi_3891_ = _e1771;
-                            break if !(_e1783);
+                            phi_3723_ = _e1774;
+                            phi_1101_ = _e1776;
+                            phi_1104_ = _e1778;
+                            phi_1106_ = _e1780;
+                            phi_1108_ = _e1782;
+                            phi_1110_ = _e1784;
+                            phi_3895_ = _e1774;
+                            break if !(_e1786);
                         }
                     }
-                    let _e1786 = phi_3891_;
-                    if _e1786 {
+                    let _e1789 = phi_3895_;
+                    if _e1789 {
                         break;
                     }
-                    let _e1788 = local_10;
-                    if (_e1788.member.member_3 != 4294967295u) {
-                        let _e1793 = -(_e505);
-                        let _e1794 = bitcast<u32>(_e1788.member.member);
-                        let _e1798 = (bitcast<i32>((_e1794 >> bitcast<u32>(23i))) & 255i);
-                        let _e1799 = (_e1798 + _e1793);
-                        if (_e1798 == 255i) {
-                            phi_3576_ = _e1788.member.member;
+                    let _e1791 = local_10;
+                    if (_e1791.member.member_3 != 4294967295u) {
+                        let _e1796 = -(_e505);
+                        let _e1797 = bitcast<u32>(_e1791.member.member);
+                        let _e1801 = (bitcast<i32>((_e1797 >> bitcast<u32>(23i))) & 255i);
+                        let _e1802 = (_e1801 + _e1796);
+                        if (_e1801 == 255i) {
+                            phi_3580_ = _e1791.member.member;
                         } else {
-                            if (_e1798 > 0i) {
-                                if (_e1799 > 0i) {
-                                    let _e1803 = (_e1799 < 255i);
-                                    if _e1803 {
-                                        phi_3555_ = bitcast<f32>((_e1794 + bitcast<u32>((_e1793 << bitcast<u32>(23i)))));
+                            if (_e1801 > 0i) {
+                                if (_e1802 > 0i) {
+                                    let _e1806 = (_e1802 < 255i);
+                                    if _e1806 {
+                                        phi_3559_ = bitcast<f32>((_e1797 + bitcast<u32>((_e1796 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3555_ = f32();
+                                        phi_3559_ = f32();
                                     }
-                                    let _e1810 = phi_3555_;
-                                    phi_3557_ = _e1810;
-                                    phi_3558_ = select(true, false, _e1803);
+                                    let _e1813 = phi_3559_;
+                                    phi_3561_ = _e1813;
+                                    phi_3562_ = select(true, false, _e1806);
                                 } else {
-                                    phi_3557_ = f32();
-                                    phi_3558_ = true;
+                                    phi_3561_ = f32();
+                                    phi_3562_ = true;
                                 }
-                                let _e1813 = phi_3557_;
-                                let _e1815 = phi_3558_;
-                                phi_3559_ = _e1813;
-                                phi_3560_ = _e1815;
+                                let _e1816 = phi_3561_;
+                                let _e1818 = phi_3562_;
+                                phi_3563_ = _e1816;
+                                phi_3564_ = _e1818;
                             } else {
-                                phi_3559_ = f32();
-                                phi_3560_ = true;
+                                phi_3563_ = f32();
+                                phi_3564_ = true;
                             }
-                            let _e1817 = phi_3559_;
-                            let _e1819 = phi_3560_;
-                            if _e1819 {
-                                let _e1820 = (_e1794 & 2147483648u);
-                                let _e1827 = ((_e1794 & 8388607u) | (select(0u, 1u, ((_e1794 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1831 = (_e1827 == 0u);
-                                if _e1831 {
-                                    phi_3683_ = bitcast<f32>(_e1820);
+                            let _e1820 = phi_3563_;
+                            let _e1822 = phi_3564_;
+                            if _e1822 {
+                                let _e1823 = (_e1797 & 2147483648u);
+                                let _e1830 = ((_e1797 & 8388607u) | (select(0u, 1u, ((_e1797 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1834 = (_e1830 == 0u);
+                                if _e1834 {
+                                    phi_3687_ = bitcast<f32>(_e1823);
                                 } else {
-                                    let _e1836 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1827)), 32u, _e1831) - 8u);
-                                    let _e1839 = (_e1827 << bitcast<u32>((_e1836 & 31u)));
-                                    let _e1841 = ((_e1799 + select(0i, 1i, (_e1798 == 0i))) - bitcast<i32>(_e1836));
-                                    if (_e1841 >= 255i) {
-                                        phi_3673_ = bitcast<f32>((_e1820 | 2139095040u));
-                                        phi_3674_ = f32();
-                                        phi_3675_ = true;
+                                    let _e1839 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1830)), 32u, _e1834) - 8u);
+                                    let _e1842 = (_e1830 << bitcast<u32>((_e1839 & 31u)));
+                                    let _e1844 = ((_e1802 + select(0i, 1i, (_e1801 == 0i))) - bitcast<i32>(_e1839));
+                                    if (_e1844 >= 255i) {
+                                        phi_3677_ = bitcast<f32>((_e1823 | 2139095040u));
+                                        phi_3678_ = f32();
+                                        phi_3679_ = true;
                                     } else {
-                                        let _e1843 = (_e1841 > 0i);
-                                        if _e1843 {
-                                            phi_3667_ = bitcast<f32>(((_e1820 | (bitcast<u32>(_e1841) << bitcast<u32>(23i))) | (_e1839 & 8388607u)));
-                                            phi_3668_ = f32();
+                                        let _e1846 = (_e1844 > 0i);
+                                        if _e1846 {
+                                            phi_3671_ = bitcast<f32>(((_e1823 | (bitcast<u32>(_e1844) << bitcast<u32>(23i))) | (_e1842 & 8388607u)));
+                                            phi_3672_ = f32();
                                         } else {
-                                            if (_e1841 < -24i) {
-                                                phi_3633_ = 26u;
+                                            if (_e1844 < -24i) {
+                                                phi_3637_ = 26u;
                                             } else {
-                                                phi_3633_ = bitcast<u32>((1i - _e1841));
+                                                phi_3637_ = bitcast<u32>((1i - _e1844));
                                             }
-                                            let _e1848 = phi_3633_;
-                                            let _e1849 = (_e1848 & 31u);
-                                            let _e1851 = (_e1839 >> bitcast<u32>(_e1849));
-                                            let _e1855 = (_e1839 & ((1u << bitcast<u32>(_e1849)) - 1u));
-                                            let _e1859 = (1u << bitcast<u32>(((_e1848 - 1u) & 31u)));
-                                            if (_e1855 > _e1859) {
-                                                phi_3654_ = true;
+                                            let _e1851 = phi_3637_;
+                                            let _e1852 = (_e1851 & 31u);
+                                            let _e1854 = (_e1842 >> bitcast<u32>(_e1852));
+                                            let _e1858 = (_e1842 & ((1u << bitcast<u32>(_e1852)) - 1u));
+                                            let _e1862 = (1u << bitcast<u32>(((_e1851 - 1u) & 31u)));
+                                            if (_e1858 > _e1862) {
+                                                phi_3658_ = true;
                                             } else {
-                                                if (_e1855 == _e1859) {
-                                                    phi_3651_ = ((_e1851 & 1u) == 1u);
+                                                if (_e1858 == _e1862) {
+                                                    phi_3655_ = ((_e1854 & 1u) == 1u);
                                                 } else {
-                                                    phi_3651_ = false;
+                                                    phi_3655_ = false;
                                                 }
-                                                let _e1865 = phi_3651_;
-                                                phi_3654_ = _e1865;
+                                                let _e1868 = phi_3655_;
+                                                phi_3658_ = _e1868;
                                             }
-                                            let _e1867 = phi_3654_;
-                                            phi_3667_ = f32();
-                                            phi_3668_ = bitcast<f32>((_e1820 | (_e1851 + select(0u, 1u, _e1867))));
+                                            let _e1870 = phi_3658_;
+                                            phi_3671_ = f32();
+                                            phi_3672_ = bitcast<f32>((_e1823 | (_e1854 + select(0u, 1u, _e1870))));
                                         }
-                                        let _e1880 = phi_3667_;
-                                        let _e1882 = phi_3668_;
-                                        phi_3673_ = _e1880;
-                                        phi_3674_ = _e1882;
-                                        phi_3675_ = _e1843;
+                                        let _e1883 = phi_3671_;
+                                        let _e1885 = phi_3672_;
+                                        phi_3677_ = _e1883;
+                                        phi_3678_ = _e1885;
+                                        phi_3679_ = _e1846;
                                     }
-                                    let _e1886 = phi_3673_;
-                                    let _e1888 = phi_3674_;
-                                    let _e1890 = phi_3675_;
-                                    phi_3683_ = select(_e1888, _e1886, _e1890);
+                                    let _e1889 = phi_3677_;
+                                    let _e1891 = phi_3678_;
+                                    let _e1893 = phi_3679_;
+                                    phi_3687_ = select(_e1891, _e1889, _e1893);
                                 }
-                                let _e1894 = phi_3683_;
-                                phi_3575_ = _e1894;
+                                let _e1897 = phi_3687_;
+                                phi_3579_ = _e1897;
                             } else {
-                                phi_3575_ = _e1817;
+                                phi_3579_ = _e1820;
                             }
-                            let _e1896 = phi_3575_;
-                            phi_3576_ = _e1896;
+                            let _e1899 = phi_3579_;
+                            phi_3580_ = _e1899;
                         }
-                        let _e1898 = phi_3576_;
-                        let _e1899 = bitcast<u32>(_e1898);
-                        if ((_e1899 & 2147483647u) >= 2139095040u) {
-                            phi_3588_ = bitcast<f32>(((_e1899 & 2147483648u) | 2139095039u));
+                        let _e1901 = phi_3580_;
+                        let _e1902 = bitcast<u32>(_e1901);
+                        if ((_e1902 & 2147483647u) >= 2139095040u) {
+                            phi_3592_ = bitcast<f32>(((_e1902 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3588_ = _e1898;
+                            phi_3592_ = _e1901;
                         }
-                        let _e1906 = phi_3588_;
-                        phi_3593_ = type_18(_e1906, _e1788.member.member_1, _e1788.member.member_2, _e1788.member.member_3);
+                        let _e1909 = phi_3592_;
+                        phi_3597_ = type_18(_e1909, _e1791.member.member_1, _e1791.member.member_2, _e1791.member.member_3);
                     } else {
-                        phi_3593_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3597_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1911 = phi_3593_;
+                    let _e1914 = phi_3597_;
                     if _e136 {
                     } else {
                         break;
                     }
-                    global_5.member[_e134] = _e1911;
+                    global_5.member[_e134] = _e1914;
                 }
             }
             break;

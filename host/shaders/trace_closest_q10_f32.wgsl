@@ -127,34 +127,16 @@ fn function_() {
     var phi_1056_: u32;
     var phi_1064_: f32;
     var phi_1065_: f32;
-    var phi_3971_: bool;
+    var phi_3975_: bool;
     var phi_1161_: type_38;
-    var phi_1164_: bool;
-    var phi_1166_: u32;
+    var phi_1164_: u32;
+    var phi_1166_: bool;
     var phi_1168_: u32;
     var phi_1170_: type_50;
     var phi_1181_: bool;
     var phi_1267_: bool;
     var phi_1268_: u32;
     var phi_1269_: type_50;
-    var phi_3091_: u32;
-    var phi_3092_: u32;
-    var phi_3102_: u32;
-    var phi_3104_: u32;
-    var phi_3105_: bool;
-    var phi_3125_: u32;
-    var phi_3126_: u32;
-    var phi_3130_: type_51;
-    var phi_3492_: type_50;
-    var phi_3569_: type_50;
-    var phi_3570_: u32;
-    var phi_3571_: type_50;
-    var phi_3573_: u32;
-    var phi_3574_: type_50;
-    var phi_3575_: bool;
-    var phi_3584_: type_50;
-    var phi_3589_: bool;
-    var phi_3591_: type_50;
     var phi_1287_: type_38;
     var phi_1290_: type_4;
     var phi_1291_: type_4;
@@ -202,51 +184,70 @@ fn function_() {
     var phi_2358_: type_38;
     var phi_2359_: type_38;
     var phi_1288_: type_38;
-    var phi_3965_: bool;
-    var phi_4129_: bool;
-    var phi_3595_: type_38;
-    var phi_3596_: bool;
-    var phi_3597_: u32;
-    var phi_3598_: type_50;
-    var phi_4128_: bool;
-    var phi_3599_: type_38;
-    var phi_3600_: bool;
-    var phi_3601_: u32;
-    var phi_3602_: u32;
-    var phi_3603_: type_50;
-    var phi_4127_: bool;
-    var phi_3604_: type_38;
+    var phi_3969_: bool;
+    var phi_4215_: bool;
+    var phi_2360_: type_38;
+    var phi_3087_: u32;
+    var phi_3088_: u32;
+    var phi_3098_: u32;
+    var phi_3100_: u32;
+    var phi_3101_: bool;
+    var phi_3121_: u32;
+    var phi_3122_: u32;
+    var phi_3126_: type_51;
+    var phi_3488_: type_50;
+    var phi_3564_: type_50;
+    var phi_3565_: u32;
+    var phi_3566_: type_50;
+    var phi_3568_: u32;
+    var phi_3569_: type_50;
+    var phi_3570_: bool;
+    var phi_3579_: type_50;
+    var phi_3584_: bool;
+    var phi_3586_: type_50;
+    var phi_3590_: bool;
+    var phi_3591_: u32;
+    var phi_3592_: type_50;
+    var phi_3602_: type_50;
+    var phi_4132_: bool;
+    var phi_3603_: type_38;
+    var phi_3604_: u32;
     var phi_3605_: bool;
     var phi_3606_: u32;
-    var phi_3607_: u32;
-    var phi_3608_: type_50;
-    var phi_4126_: bool;
+    var phi_3607_: type_50;
+    var phi_4131_: bool;
+    var phi_3608_: type_38;
+    var phi_3609_: u32;
+    var phi_3610_: bool;
+    var phi_3611_: u32;
+    var phi_3612_: type_50;
+    var phi_4130_: bool;
     var phi_1162_: type_38;
-    var phi_1165_: bool;
-    var phi_1167_: u32;
+    var phi_1165_: u32;
+    var phi_1167_: bool;
     var phi_1169_: u32;
     var phi_1171_: type_50;
-    var phi_3609_: bool;
-    var phi_4125_: bool;
+    var phi_3613_: bool;
+    var phi_4129_: bool;
     var local_10: type_38;
-    var phi_3647_: f32;
-    var phi_3649_: f32;
-    var phi_3650_: bool;
     var phi_3651_: f32;
-    var phi_3652_: bool;
-    var phi_3873_: u32;
-    var phi_3891_: bool;
-    var phi_3894_: bool;
-    var phi_3907_: f32;
-    var phi_3908_: f32;
-    var phi_3913_: f32;
-    var phi_3914_: f32;
-    var phi_3915_: bool;
-    var phi_3923_: f32;
-    var phi_3667_: f32;
-    var phi_3668_: f32;
-    var phi_3680_: f32;
-    var phi_3685_: type_25;
+    var phi_3653_: f32;
+    var phi_3654_: bool;
+    var phi_3655_: f32;
+    var phi_3656_: bool;
+    var phi_3877_: u32;
+    var phi_3895_: bool;
+    var phi_3898_: bool;
+    var phi_3911_: f32;
+    var phi_3912_: f32;
+    var phi_3917_: f32;
+    var phi_3918_: f32;
+    var phi_3919_: bool;
+    var phi_3927_: f32;
+    var phi_3671_: f32;
+    var phi_3672_: f32;
+    var phi_3684_: f32;
+    var phi_3689_: type_25;
     var local_11: type_38;
 
     switch bitcast<i32>(0u) {
@@ -611,31 +612,31 @@ fn function_() {
                         break;
                     }
                     let _e651 = local[_e635];
-                    phi_3971_ = false;
+                    phi_3975_ = false;
                     phi_1161_ = type_38(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e617);
-                    phi_1164_ = (_e619 <= _e617);
-                    phi_1166_ = ((3u * _e94) + 1u);
+                    phi_1164_ = ((3u * _e94) + 1u);
+                    phi_1166_ = (_e619 <= _e617);
                     phi_1168_ = 0u;
                     phi_1170_ = type_50(type_33(vec4<f32>((f32(_e626) * _e144), (f32(_e632) * _e144), (f32(_e638) * _e144), 0f), vec4<f32>((f32(_e643) * _e144), (f32(_e647) * _e144), (f32(_e651) * _e144), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
                     loop {
-                        let _e661 = phi_3971_;
+                        let _e661 = phi_3975_;
                         let _e663 = phi_1161_;
                         let _e665 = phi_1164_;
                         let _e667 = phi_1166_;
                         let _e669 = phi_1168_;
                         let _e671 = phi_1170_;
                         local_10 = _e663;
-                        if _e665 {
+                        if _e667 {
                             phi_1181_ = true;
                         } else {
                             phi_1181_ = (_e669 > 0u);
                         }
                         let _e674 = phi_1181_;
                         if _e674 {
-                            let _e675 = (_e667 > 0u);
+                            let _e675 = (_e665 > 0u);
                             if _e675 {
-                                if _e665 {
-                                    phi_1267_ = _e665;
+                                if _e667 {
+                                    phi_1267_ = _e667;
                                     phi_1268_ = _e669;
                                     phi_1269_ = _e671;
                                 } else {
@@ -644,49 +645,49 @@ fn function_() {
                                     let _e678 = (_e677 < 128u);
                                     if _e678 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e680 = local_7[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e682 = local_6[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e684 = local_5[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e686 = local_4[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e688 = local_3[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e690 = local_2[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e695 = local_8[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e698 = local_9[_e677];
@@ -698,908 +699,918 @@ fn function_() {
                                 let _e704 = phi_1268_;
                                 let _e706 = phi_1269_;
                                 if _e702 {
-                                    if ((_e706.member_1 & 2147483648u) != 0u) {
+                                    let _e710 = ((_e706.member_1 & 2147483648u) != 0u);
+                                    if _e710 {
                                         phi_1287_ = _e663;
                                         phi_1290_ = type_4(0u, ((_e706.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1156 = phi_1287_;
-                                            let _e1158 = phi_1290_;
-                                            local_11 = _e1156;
-                                            if (_e1158.member < _e1158.member_1) {
-                                                phi_1291_ = type_4((_e1158.member + 1u), _e1158.member_1);
-                                                phi_1313_ = type_4(1u, _e1158.member);
+                                            let _e717 = phi_1287_;
+                                            let _e719 = phi_1290_;
+                                            local_11 = _e717;
+                                            if (_e719.member < _e719.member_1) {
+                                                phi_1291_ = type_4((_e719.member + 1u), _e719.member_1);
+                                                phi_1313_ = type_4(1u, _e719.member);
                                             } else {
-                                                phi_1291_ = _e1158;
+                                                phi_1291_ = _e719;
                                                 phi_1313_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1171 = phi_1291_;
-                                            let _e1173 = phi_1313_;
-                                            let _e1177 = (bitcast<i32>(_e1173.member) != 0i);
-                                            if _e1177 {
-                                                let _e1178 = ((_e706.member_1 & 268435455u) + _e1173.member_1);
-                                                let _e1179 = (_e1178 < _e96);
-                                                if _e1179 {
-                                                    if _e1179 {
+                                            let _e732 = phi_1291_;
+                                            let _e734 = phi_1313_;
+                                            let _e738 = (bitcast<i32>(_e734.member) != 0i);
+                                            if _e738 {
+                                                let _e739 = ((_e706.member_1 & 268435455u) + _e734.member_1);
+                                                let _e740 = (_e739 < _e96);
+                                                if _e740 {
+                                                    if _e740 {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1183 = global_2.member[_e1178].member_1;
-                                                    phi_1334_ = _e1183;
+                                                    let _e744 = global_2.member[_e739].member_1;
+                                                    phi_1334_ = _e744;
                                                 } else {
                                                     phi_1334_ = 4294967295u;
                                                 }
-                                                let _e1185 = phi_1334_;
-                                                if (_e1178 >= _e96) {
+                                                let _e746 = phi_1334_;
+                                                if (_e739 >= _e96) {
                                                     phi_1426_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1179 {
+                                                    if _e740 {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
                                                     if (_e623 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1192 = global_2.member[_e1178].member[_e623];
+                                                    let _e753 = global_2.member[_e739].member[_e623];
                                                     if (_e629 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1198 = global_2.member[_e1178].member[_e629];
+                                                    let _e759 = global_2.member[_e739].member[_e629];
                                                     if (_e635 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1204 = global_2.member[_e1178].member[_e635];
-                                                    let _e1206 = (3u + _e623);
-                                                    if (_e1206 < 9u) {
+                                                    let _e765 = global_2.member[_e739].member[_e635];
+                                                    let _e767 = (3u + _e623);
+                                                    if (_e767 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1212 = global_2.member[_e1178].member[_e1206];
-                                                    let _e1213 = (3u + _e629);
-                                                    if (_e1213 < 9u) {
+                                                    let _e773 = global_2.member[_e739].member[_e767];
+                                                    let _e774 = (3u + _e629);
+                                                    if (_e774 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1219 = global_2.member[_e1178].member[_e1213];
-                                                    let _e1220 = (3u + _e635);
-                                                    if (_e1220 < 9u) {
+                                                    let _e780 = global_2.member[_e739].member[_e774];
+                                                    let _e781 = (3u + _e635);
+                                                    if (_e781 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1226 = global_2.member[_e1178].member[_e1220];
-                                                    let _e1228 = (6u + _e623);
-                                                    if (_e1228 < 9u) {
+                                                    let _e787 = global_2.member[_e739].member[_e781];
+                                                    let _e789 = (6u + _e623);
+                                                    if (_e789 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1234 = global_2.member[_e1178].member[_e1228];
-                                                    let _e1235 = (6u + _e629);
-                                                    if (_e1235 < 9u) {
+                                                    let _e795 = global_2.member[_e739].member[_e789];
+                                                    let _e796 = (6u + _e629);
+                                                    if (_e796 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1241 = global_2.member[_e1178].member[_e1235];
-                                                    let _e1242 = (6u + _e635);
-                                                    if (_e1242 < 9u) {
+                                                    let _e802 = global_2.member[_e739].member[_e796];
+                                                    let _e803 = (6u + _e635);
+                                                    if (_e803 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1248 = global_2.member[_e1178].member[_e1242];
-                                                    phi_1426_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1192, _e1198, _e1204), array<f32, 3>(_e1212, _e1219, _e1226), array<f32, 3>(_e1234, _e1241, _e1248));
+                                                    let _e809 = global_2.member[_e739].member[_e803];
+                                                    phi_1426_ = array<array<f32, 3>, 3>(array<f32, 3>(_e753, _e759, _e765), array<f32, 3>(_e773, _e780, _e787), array<f32, 3>(_e795, _e802, _e809));
                                                 }
-                                                let _e1252 = phi_1426_;
-                                                let _e1260 = (_e1252[0][2] - _e465);
-                                                let _e1263 = (((_e1252[0][0] - _e328) * _e504) - (_e1260 * _e368));
-                                                let _e1266 = (((_e1252[0][1] - _e397) * _e504) - (_e1260 * _e436));
-                                                let _e1273 = (_e1252[1][2] - _e465);
-                                                let _e1276 = (((_e1252[1][0] - _e328) * _e504) - (_e1273 * _e368));
-                                                let _e1279 = (((_e1252[1][1] - _e397) * _e504) - (_e1273 * _e436));
-                                                let _e1286 = (_e1252[2][2] - _e465);
-                                                let _e1289 = (((_e1252[2][0] - _e328) * _e504) - (_e1286 * _e368));
-                                                let _e1292 = (((_e1252[2][1] - _e397) * _e504) - (_e1286 * _e436));
-                                                let _e1293 = (_e1289 * _e1279);
-                                                let _e1294 = (_e1292 * _e1276);
-                                                let _e1295 = (_e1263 * _e1292);
-                                                let _e1296 = (_e1266 * _e1289);
-                                                let _e1297 = (_e1276 * _e1266);
-                                                let _e1298 = (_e1279 * _e1263);
-                                                let _e1303 = (((_e1293 >= _e1294) && (_e1295 >= _e1296)) && (_e1297 >= _e1298));
-                                                if (_e1303 || (((_e1293 <= _e1294) && (_e1295 <= _e1296)) && (_e1297 <= _e1298))) {
-                                                    let _e1310 = select(-1f, 1f, _e1303);
-                                                    let _e1312 = ((_e1293 - _e1294) * _e1310);
-                                                    let _e1314 = select(0f, _e1312, (_e1312 > 0f));
-                                                    let _e1316 = ((_e1295 - _e1296) * _e1310);
-                                                    let _e1318 = select(0f, _e1316, (_e1316 > 0f));
-                                                    let _e1320 = ((_e1297 - _e1298) * _e1310);
-                                                    let _e1322 = select(0f, _e1320, (_e1320 > 0f));
-                                                    let _e1324 = ((_e1314 + _e1318) + _e1322);
-                                                    if (_e1324 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e813 = phi_1426_;
+                                                let _e821 = (_e813[0][2] - _e465);
+                                                let _e824 = (((_e813[0][0] - _e328) * _e504) - (_e821 * _e368));
+                                                let _e827 = (((_e813[0][1] - _e397) * _e504) - (_e821 * _e436));
+                                                let _e834 = (_e813[1][2] - _e465);
+                                                let _e837 = (((_e813[1][0] - _e328) * _e504) - (_e834 * _e368));
+                                                let _e840 = (((_e813[1][1] - _e397) * _e504) - (_e834 * _e436));
+                                                let _e847 = (_e813[2][2] - _e465);
+                                                let _e850 = (((_e813[2][0] - _e328) * _e504) - (_e847 * _e368));
+                                                let _e853 = (((_e813[2][1] - _e397) * _e504) - (_e847 * _e436));
+                                                let _e854 = (_e850 * _e840);
+                                                let _e855 = (_e853 * _e837);
+                                                let _e856 = (_e824 * _e853);
+                                                let _e857 = (_e827 * _e850);
+                                                let _e858 = (_e837 * _e827);
+                                                let _e859 = (_e840 * _e824);
+                                                let _e864 = (((_e854 >= _e855) && (_e856 >= _e857)) && (_e858 >= _e859));
+                                                if (_e864 || (((_e854 <= _e855) && (_e856 <= _e857)) && (_e858 <= _e859))) {
+                                                    let _e871 = select(-1f, 1f, _e864);
+                                                    let _e873 = ((_e854 - _e855) * _e871);
+                                                    let _e875 = select(0f, _e873, (_e873 > 0f));
+                                                    let _e877 = ((_e856 - _e857) * _e871);
+                                                    let _e879 = select(0f, _e877, (_e877 > 0f));
+                                                    let _e881 = ((_e858 - _e859) * _e871);
+                                                    let _e883 = select(0f, _e881, (_e881 > 0f));
+                                                    let _e885 = ((_e875 + _e879) + _e883);
+                                                    if (_e885 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2310_ = type_25();
                                                         phi_2311_ = true;
                                                         phi_2312_ = false;
                                                     } else {
-                                                        let _e1327 = select(_e1276, _e1263, (_e1263 < _e1276));
-                                                        if (select(_e1289, _e1327, (_e1327 < _e1289)) > 0f) {
+                                                        let _e888 = select(_e837, _e824, (_e824 < _e837));
+                                                        if (select(_e850, _e888, (_e888 < _e850)) > 0f) {
                                                             phi_1578_ = true;
                                                         } else {
-                                                            let _e1332 = select(_e1276, _e1263, (_e1263 > _e1276));
-                                                            phi_1578_ = (select(_e1289, _e1332, (_e1332 > _e1289)) < 0f);
+                                                            let _e893 = select(_e837, _e824, (_e824 > _e837));
+                                                            phi_1578_ = (select(_e850, _e893, (_e893 > _e850)) < 0f);
                                                         }
-                                                        let _e1337 = phi_1578_;
-                                                        if _e1337 {
+                                                        let _e898 = phi_1578_;
+                                                        if _e898 {
                                                             phi_2307_ = type_25();
                                                             phi_2308_ = true;
                                                             phi_2309_ = false;
                                                         } else {
-                                                            let _e1339 = select(_e1279, _e1266, (_e1266 < _e1279));
-                                                            if (select(_e1292, _e1339, (_e1339 < _e1292)) > 0f) {
+                                                            let _e900 = select(_e840, _e827, (_e827 < _e840));
+                                                            if (select(_e853, _e900, (_e900 < _e853)) > 0f) {
                                                                 phi_1607_ = true;
                                                             } else {
-                                                                let _e1344 = select(_e1279, _e1266, (_e1266 > _e1279));
-                                                                phi_1607_ = (select(_e1292, _e1344, (_e1344 > _e1292)) < 0f);
+                                                                let _e905 = select(_e840, _e827, (_e827 > _e840));
+                                                                phi_1607_ = (select(_e853, _e905, (_e905 > _e853)) < 0f);
                                                             }
-                                                            let _e1349 = phi_1607_;
-                                                            if _e1349 {
+                                                            let _e910 = phi_1607_;
+                                                            if _e910 {
                                                                 phi_2305_ = type_25();
                                                                 phi_2306_ = false;
                                                             } else {
-                                                                let _e1351 = select(_e1252[1][0], _e1252[0][0], (_e1252[0][0] < _e1252[1][0]));
-                                                                let _e1355 = select(_e1252[1][0], _e1252[0][0], (_e1252[0][0] > _e1252[1][0]));
-                                                                let _e1359 = select(_e1252[1][1], _e1252[0][1], (_e1252[0][1] < _e1252[1][1]));
-                                                                let _e1363 = select(_e1252[1][1], _e1252[0][1], (_e1252[0][1] > _e1252[1][1]));
-                                                                let _e1367 = select(_e1252[1][2], _e1252[0][2], (_e1252[0][2] < _e1252[1][2]));
-                                                                let _e1371 = select(_e1252[1][2], _e1252[0][2], (_e1252[0][2] > _e1252[1][2]));
-                                                                let _e1376 = ((select(_e1252[2][0], _e1351, (_e1351 < _e1252[2][0])) - _e366) * _e371);
-                                                                let _e1377 = ((select(_e1252[2][0], _e1355, (_e1355 > _e1252[2][0])) - _e367) * _e371);
-                                                                let _e1380 = ((select(_e1252[2][1], _e1359, (_e1359 < _e1252[2][1])) - _e434) * _e439);
-                                                                let _e1381 = ((select(_e1252[2][1], _e1363, (_e1363 > _e1252[2][1])) - _e435) * _e439);
-                                                                let _e1384 = ((select(_e1252[2][2], _e1367, (_e1367 < _e1252[2][2])) - _e502) * _e507);
-                                                                let _e1385 = ((select(_e1252[2][2], _e1371, (_e1371 > _e1252[2][2])) - _e503) * _e507);
-                                                                let _e1387 = select(_e1385, _e1384, (_e1384 < _e1385));
-                                                                let _e1389 = select(_e1385, _e1384, (_e1384 > _e1385));
-                                                                let _e1391 = select(_e1377, _e1376, (_e1376 < _e1377));
-                                                                let _e1393 = select(_e1381, _e1380, (_e1380 < _e1381));
-                                                                let _e1395 = select(_e1393, _e1391, (_e1391 > _e1393));
-                                                                let _e1397 = select(_e1387, _e1395, (_e1395 > _e1387));
-                                                                let _e1399 = select(_e1377, _e1376, (_e1376 > _e1377));
-                                                                let _e1401 = select(_e1381, _e1380, (_e1380 > _e1381));
-                                                                let _e1403 = select(_e1401, _e1399, (_e1399 < _e1401));
-                                                                let _e1405 = select(_e1389, _e1403, (_e1403 < _e1389));
-                                                                let _e1406 = -(_e1387);
-                                                                let _e1412 = select(_e619, _e1397, (_e1397 > _e619));
-                                                                if (_e1412 > (_e1405 + (select(_e1406, _e1389, (_e1389 > _e1406)) * 0.0000019073523f))) {
+                                                                let _e912 = select(_e813[1][0], _e813[0][0], (_e813[0][0] < _e813[1][0]));
+                                                                let _e916 = select(_e813[1][0], _e813[0][0], (_e813[0][0] > _e813[1][0]));
+                                                                let _e920 = select(_e813[1][1], _e813[0][1], (_e813[0][1] < _e813[1][1]));
+                                                                let _e924 = select(_e813[1][1], _e813[0][1], (_e813[0][1] > _e813[1][1]));
+                                                                let _e928 = select(_e813[1][2], _e813[0][2], (_e813[0][2] < _e813[1][2]));
+                                                                let _e932 = select(_e813[1][2], _e813[0][2], (_e813[0][2] > _e813[1][2]));
+                                                                let _e937 = ((select(_e813[2][0], _e912, (_e912 < _e813[2][0])) - _e366) * _e371);
+                                                                let _e938 = ((select(_e813[2][0], _e916, (_e916 > _e813[2][0])) - _e367) * _e371);
+                                                                let _e941 = ((select(_e813[2][1], _e920, (_e920 < _e813[2][1])) - _e434) * _e439);
+                                                                let _e942 = ((select(_e813[2][1], _e924, (_e924 > _e813[2][1])) - _e435) * _e439);
+                                                                let _e945 = ((select(_e813[2][2], _e928, (_e928 < _e813[2][2])) - _e502) * _e507);
+                                                                let _e946 = ((select(_e813[2][2], _e932, (_e932 > _e813[2][2])) - _e503) * _e507);
+                                                                let _e948 = select(_e946, _e945, (_e945 < _e946));
+                                                                let _e950 = select(_e946, _e945, (_e945 > _e946));
+                                                                let _e952 = select(_e938, _e937, (_e937 < _e938));
+                                                                let _e954 = select(_e942, _e941, (_e941 < _e942));
+                                                                let _e956 = select(_e954, _e952, (_e952 > _e954));
+                                                                let _e958 = select(_e948, _e956, (_e956 > _e948));
+                                                                let _e960 = select(_e938, _e937, (_e937 > _e938));
+                                                                let _e962 = select(_e942, _e941, (_e941 > _e942));
+                                                                let _e964 = select(_e962, _e960, (_e960 < _e962));
+                                                                let _e966 = select(_e950, _e964, (_e964 < _e950));
+                                                                let _e967 = -(_e948);
+                                                                let _e973 = select(_e619, _e958, (_e958 > _e619));
+                                                                if (_e973 > (_e966 + (select(_e967, _e950, (_e950 > _e967)) * 0.0000019073523f))) {
                                                                     phi_2300_ = type_25();
                                                                     phi_2301_ = true;
                                                                 } else {
-                                                                    let _e1414 = (_e1412 > _e1156.member_1);
-                                                                    if _e1414 {
+                                                                    let _e975 = (_e973 > _e717.member_1);
+                                                                    if _e975 {
                                                                         phi_2299_ = type_25();
                                                                     } else {
-                                                                        let _e1415 = vec3<f32>(_e1252[0][0], _e1252[0][1], _e1252[0][2]);
-                                                                        let _e1416 = vec3<f32>(_e1252[1][0], _e1252[1][1], _e1252[1][2]);
-                                                                        let _e1417 = vec3<f32>(_e1252[2][0], _e1252[2][1], _e1252[2][2]);
-                                                                        let _e1418 = (_e1252[1][0] - _e1252[0][0]);
-                                                                        let _e1419 = (_e1252[1][1] - _e1252[0][1]);
-                                                                        let _e1420 = (_e1252[1][2] - _e1252[0][2]);
-                                                                        let _e1421 = vec3<f32>(_e1418, _e1419, _e1420);
-                                                                        let _e1422 = (_e1252[2][0] - _e1252[1][0]);
-                                                                        let _e1423 = (_e1252[2][1] - _e1252[1][1]);
-                                                                        let _e1424 = (_e1252[2][2] - _e1252[1][2]);
-                                                                        let _e1425 = vec3<f32>(_e1422, _e1423, _e1424);
-                                                                        let _e1426 = (_e1252[0][0] - _e1252[2][0]);
-                                                                        let _e1427 = (_e1252[0][1] - _e1252[2][1]);
-                                                                        let _e1428 = (_e1252[0][2] - _e1252[2][2]);
-                                                                        let _e1429 = vec3<f32>(_e1426, _e1427, _e1428);
-                                                                        let _e1432 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
-                                                                        let _e1435 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
-                                                                        let _e1437 = select(_e1435, _e1432, (_e1432 > _e1435));
-                                                                        let _e1440 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
-                                                                        let _e1442 = select(_e1440, _e1437, (_e1437 > _e1440));
-                                                                        let _e1445 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
-                                                                        let _e1448 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
-                                                                        let _e1450 = select(_e1448, _e1445, (_e1445 > _e1448));
-                                                                        let _e1453 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
-                                                                        let _e1455 = select(_e1453, _e1450, (_e1450 > _e1453));
-                                                                        let _e1458 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
-                                                                        let _e1461 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
-                                                                        let _e1463 = select(_e1461, _e1458, (_e1458 > _e1461));
-                                                                        let _e1466 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
-                                                                        let _e1468 = select(_e1466, _e1463, (_e1463 > _e1466));
-                                                                        let _e1470 = select(_e1455, _e1442, (_e1442 > _e1455));
-                                                                        let _e1472 = select(_e1468, _e1470, (_e1470 > _e1468));
-                                                                        if (_e1442 == _e1472) {
-                                                                            phi_2026_ = _e1279;
-                                                                            phi_2027_ = _e1276;
-                                                                            phi_2028_ = _e1266;
-                                                                            phi_2029_ = _e1263;
-                                                                            phi_2030_ = _e1415;
-                                                                            phi_2031_ = _e1429;
-                                                                            phi_2032_ = _e1425;
-                                                                            phi_2033_ = _e1421;
+                                                                        let _e976 = vec3<f32>(_e813[0][0], _e813[0][1], _e813[0][2]);
+                                                                        let _e977 = vec3<f32>(_e813[1][0], _e813[1][1], _e813[1][2]);
+                                                                        let _e978 = vec3<f32>(_e813[2][0], _e813[2][1], _e813[2][2]);
+                                                                        let _e979 = (_e813[1][0] - _e813[0][0]);
+                                                                        let _e980 = (_e813[1][1] - _e813[0][1]);
+                                                                        let _e981 = (_e813[1][2] - _e813[0][2]);
+                                                                        let _e982 = vec3<f32>(_e979, _e980, _e981);
+                                                                        let _e983 = (_e813[2][0] - _e813[1][0]);
+                                                                        let _e984 = (_e813[2][1] - _e813[1][1]);
+                                                                        let _e985 = (_e813[2][2] - _e813[1][2]);
+                                                                        let _e986 = vec3<f32>(_e983, _e984, _e985);
+                                                                        let _e987 = (_e813[0][0] - _e813[2][0]);
+                                                                        let _e988 = (_e813[0][1] - _e813[2][1]);
+                                                                        let _e989 = (_e813[0][2] - _e813[2][2]);
+                                                                        let _e990 = vec3<f32>(_e987, _e988, _e989);
+                                                                        let _e993 = bitcast<f32>((bitcast<u32>(_e979) & 2147483647u));
+                                                                        let _e996 = bitcast<f32>((bitcast<u32>(_e980) & 2147483647u));
+                                                                        let _e998 = select(_e996, _e993, (_e993 > _e996));
+                                                                        let _e1001 = bitcast<f32>((bitcast<u32>(_e981) & 2147483647u));
+                                                                        let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
+                                                                        let _e1006 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
+                                                                        let _e1009 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
+                                                                        let _e1011 = select(_e1009, _e1006, (_e1006 > _e1009));
+                                                                        let _e1014 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
+                                                                        let _e1016 = select(_e1014, _e1011, (_e1011 > _e1014));
+                                                                        let _e1019 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
+                                                                        let _e1022 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
+                                                                        let _e1024 = select(_e1022, _e1019, (_e1019 > _e1022));
+                                                                        let _e1027 = bitcast<f32>((bitcast<u32>(_e989) & 2147483647u));
+                                                                        let _e1029 = select(_e1027, _e1024, (_e1024 > _e1027));
+                                                                        let _e1031 = select(_e1016, _e1003, (_e1003 > _e1016));
+                                                                        let _e1033 = select(_e1029, _e1031, (_e1031 > _e1029));
+                                                                        if (_e1003 == _e1033) {
+                                                                            phi_2026_ = _e840;
+                                                                            phi_2027_ = _e837;
+                                                                            phi_2028_ = _e827;
+                                                                            phi_2029_ = _e824;
+                                                                            phi_2030_ = _e976;
+                                                                            phi_2031_ = _e990;
+                                                                            phi_2032_ = _e986;
+                                                                            phi_2033_ = _e982;
                                                                         } else {
-                                                                            let _e1474 = (_e1455 == _e1472);
-                                                                            let _e1479 = vec3(_e1474);
-                                                                            phi_2026_ = select(_e1266, _e1292, _e1474);
-                                                                            phi_2027_ = select(_e1263, _e1289, _e1474);
-                                                                            phi_2028_ = select(_e1292, _e1279, _e1474);
-                                                                            phi_2029_ = select(_e1289, _e1276, _e1474);
-                                                                            phi_2030_ = select(_e1417, _e1416, _e1479);
-                                                                            phi_2031_ = select(_e1425, _e1421, _e1479);
-                                                                            phi_2032_ = select(_e1421, _e1429, _e1479);
-                                                                            phi_2033_ = select(_e1429, _e1425, _e1479);
+                                                                            let _e1035 = (_e1016 == _e1033);
+                                                                            let _e1040 = vec3(_e1035);
+                                                                            phi_2026_ = select(_e827, _e853, _e1035);
+                                                                            phi_2027_ = select(_e824, _e850, _e1035);
+                                                                            phi_2028_ = select(_e853, _e840, _e1035);
+                                                                            phi_2029_ = select(_e850, _e837, _e1035);
+                                                                            phi_2030_ = select(_e978, _e977, _e1040);
+                                                                            phi_2031_ = select(_e986, _e982, _e1040);
+                                                                            phi_2032_ = select(_e982, _e990, _e1040);
+                                                                            phi_2033_ = select(_e990, _e986, _e1040);
                                                                         }
-                                                                        let _e1485 = phi_2026_;
-                                                                        let _e1487 = phi_2027_;
-                                                                        let _e1489 = phi_2028_;
-                                                                        let _e1491 = phi_2029_;
-                                                                        let _e1493 = phi_2030_;
-                                                                        let _e1495 = phi_2031_;
-                                                                        let _e1497 = phi_2032_;
-                                                                        let _e1499 = phi_2033_;
-                                                                        let _e1506 = ((_e1497.y * _e1495.z) - (_e1495.y * _e1497.z));
-                                                                        let _e1511 = ((_e1497.z * _e1495.x) - (_e1495.z * _e1497.x));
-                                                                        let _e1514 = ((_e1497.x * _e1495.y) - (_e1495.x * _e1497.y));
-                                                                        if (_e1314 >= _e1318) {
-                                                                            phi_2070_ = select(true, false, (_e1314 >= _e1322));
+                                                                        let _e1046 = phi_2026_;
+                                                                        let _e1048 = phi_2027_;
+                                                                        let _e1050 = phi_2028_;
+                                                                        let _e1052 = phi_2029_;
+                                                                        let _e1054 = phi_2030_;
+                                                                        let _e1056 = phi_2031_;
+                                                                        let _e1058 = phi_2032_;
+                                                                        let _e1060 = phi_2033_;
+                                                                        let _e1067 = ((_e1058.y * _e1056.z) - (_e1056.y * _e1058.z));
+                                                                        let _e1072 = ((_e1058.z * _e1056.x) - (_e1056.z * _e1058.x));
+                                                                        let _e1075 = ((_e1058.x * _e1056.y) - (_e1056.x * _e1058.y));
+                                                                        if (_e875 >= _e879) {
+                                                                            phi_2070_ = select(true, false, (_e875 >= _e883));
                                                                         } else {
                                                                             phi_2070_ = true;
                                                                         }
-                                                                        let _e1519 = phi_2070_;
-                                                                        if _e1519 {
-                                                                            phi_2079_ = select(_e1417, _e1416, vec3((_e1318 >= _e1322)));
+                                                                        let _e1080 = phi_2070_;
+                                                                        if _e1080 {
+                                                                            phi_2079_ = select(_e978, _e977, vec3((_e879 >= _e883)));
                                                                         } else {
-                                                                            phi_2079_ = _e1415;
+                                                                            phi_2079_ = _e976;
                                                                         }
-                                                                        let _e1524 = phi_2079_;
-                                                                        let _e1535 = (((_e1506 * (_e1524.x - _e328)) + (_e1511 * (_e1524.y - _e397))) + (_e1514 * (_e1524.z - _e465)));
-                                                                        let _e1540 = (((_e1506 * _e368) + (_e1511 * _e436)) + (_e1514 * _e504));
-                                                                        let _e1541 = (_e1487 - _e1491);
-                                                                        let _e1542 = (_e1485 - _e1489);
-                                                                        let _e1550 = (-(((_e1491 * _e1541) + (_e1489 * _e1542))) / ((_e1541 * _e1541) + (_e1542 * _e1542)));
-                                                                        let _e1552 = select(1f, _e1550, (_e1550 < 1f));
-                                                                        let _e1554 = select(0f, _e1552, (_e1552 > 0f));
-                                                                        let _e1567 = ((_e1493.x + (_e1499.x * _e1554)) - _e328);
-                                                                        let _e1568 = ((_e1493.y + (_e1499.y * _e1554)) - _e397);
-                                                                        let _e1569 = ((_e1493.z + (_e1499.z * _e1554)) - _e465);
-                                                                        let _e1570 = (_e1569 / _e504);
-                                                                        let _e1582 = bitcast<f32>((bitcast<u32>(_e1567) & 2147483647u));
-                                                                        let _e1585 = bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u));
-                                                                        let _e1587 = select(_e1585, _e1582, (_e1582 > _e1585));
-                                                                        let _e1590 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
-                                                                        let _e1592 = select(_e1590, _e1587, (_e1587 > _e1590));
-                                                                        let _e1598 = bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u));
-                                                                        let _e1601 = bitcast<f32>((bitcast<u32>(_e1511) & 2147483647u));
-                                                                        let _e1603 = select(_e1601, _e1598, (_e1598 > _e1601));
-                                                                        let _e1606 = bitcast<f32>((bitcast<u32>(_e1514) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1506 * _e1567) + (_e1511 * _e1568)) + (_e1514 * _e1569)) - _e1535)) & 2147483647u)) <= ((0.0000009536743f * select(_e1472, _e1592, (_e1592 > _e1472))) * select(_e1606, _e1603, (_e1603 > _e1606)))) {
-                                                                            let _e1616 = bitcast<f32>((bitcast<u32>(_e1497.x) & 2147483647u));
-                                                                            let _e1619 = bitcast<f32>((bitcast<u32>(_e1497.y) & 2147483647u));
-                                                                            let _e1621 = select(_e1619, _e1616, (_e1616 > _e1619));
-                                                                            let _e1624 = bitcast<f32>((bitcast<u32>(_e1497.z) & 2147483647u));
-                                                                            let _e1630 = bitcast<f32>((bitcast<u32>(_e1495.x) & 2147483647u));
-                                                                            let _e1633 = bitcast<f32>((bitcast<u32>(_e1495.y) & 2147483647u));
-                                                                            let _e1635 = select(_e1633, _e1630, (_e1630 > _e1633));
-                                                                            let _e1638 = bitcast<f32>((bitcast<u32>(_e1495.z) & 2147483647u));
-                                                                            let _e1642 = (bitcast<f32>((bitcast<u32>(_e1540) & 2147483647u)) > ((0.0000038146973f * select(_e1624, _e1621, (_e1621 > _e1624))) * select(_e1638, _e1635, (_e1635 > _e1638))));
-                                                                            if _e1642 {
-                                                                                phi_2244_ = (_e1535 / _e1540);
+                                                                        let _e1085 = phi_2079_;
+                                                                        let _e1096 = (((_e1067 * (_e1085.x - _e328)) + (_e1072 * (_e1085.y - _e397))) + (_e1075 * (_e1085.z - _e465)));
+                                                                        let _e1101 = (((_e1067 * _e368) + (_e1072 * _e436)) + (_e1075 * _e504));
+                                                                        let _e1102 = (_e1048 - _e1052);
+                                                                        let _e1103 = (_e1046 - _e1050);
+                                                                        let _e1111 = (-(((_e1052 * _e1102) + (_e1050 * _e1103))) / ((_e1102 * _e1102) + (_e1103 * _e1103)));
+                                                                        let _e1113 = select(1f, _e1111, (_e1111 < 1f));
+                                                                        let _e1115 = select(0f, _e1113, (_e1113 > 0f));
+                                                                        let _e1128 = ((_e1054.x + (_e1060.x * _e1115)) - _e328);
+                                                                        let _e1129 = ((_e1054.y + (_e1060.y * _e1115)) - _e397);
+                                                                        let _e1130 = ((_e1054.z + (_e1060.z * _e1115)) - _e465);
+                                                                        let _e1131 = (_e1130 / _e504);
+                                                                        let _e1143 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
+                                                                        let _e1146 = bitcast<f32>((bitcast<u32>(_e1129) & 2147483647u));
+                                                                        let _e1148 = select(_e1146, _e1143, (_e1143 > _e1146));
+                                                                        let _e1151 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
+                                                                        let _e1153 = select(_e1151, _e1148, (_e1148 > _e1151));
+                                                                        let _e1159 = bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u));
+                                                                        let _e1162 = bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u));
+                                                                        let _e1164 = select(_e1162, _e1159, (_e1159 > _e1162));
+                                                                        let _e1167 = bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1067 * _e1128) + (_e1072 * _e1129)) + (_e1075 * _e1130)) - _e1096)) & 2147483647u)) <= ((0.0000009536743f * select(_e1033, _e1153, (_e1153 > _e1033))) * select(_e1167, _e1164, (_e1164 > _e1167)))) {
+                                                                            let _e1177 = bitcast<f32>((bitcast<u32>(_e1058.x) & 2147483647u));
+                                                                            let _e1180 = bitcast<f32>((bitcast<u32>(_e1058.y) & 2147483647u));
+                                                                            let _e1182 = select(_e1180, _e1177, (_e1177 > _e1180));
+                                                                            let _e1185 = bitcast<f32>((bitcast<u32>(_e1058.z) & 2147483647u));
+                                                                            let _e1191 = bitcast<f32>((bitcast<u32>(_e1056.x) & 2147483647u));
+                                                                            let _e1194 = bitcast<f32>((bitcast<u32>(_e1056.y) & 2147483647u));
+                                                                            let _e1196 = select(_e1194, _e1191, (_e1191 > _e1194));
+                                                                            let _e1199 = bitcast<f32>((bitcast<u32>(_e1056.z) & 2147483647u));
+                                                                            let _e1203 = (bitcast<f32>((bitcast<u32>(_e1101) & 2147483647u)) > ((0.0000038146973f * select(_e1185, _e1182, (_e1182 > _e1185))) * select(_e1199, _e1196, (_e1196 > _e1199))));
+                                                                            if _e1203 {
+                                                                                phi_2244_ = (_e1096 / _e1101);
                                                                             } else {
                                                                                 phi_2244_ = f32();
                                                                             }
-                                                                            let _e1645 = phi_2244_;
-                                                                            phi_2246_ = _e1645;
-                                                                            phi_2247_ = select(true, false, _e1642);
+                                                                            let _e1206 = phi_2244_;
+                                                                            phi_2246_ = _e1206;
+                                                                            phi_2247_ = select(true, false, _e1203);
                                                                         } else {
                                                                             phi_2246_ = f32();
                                                                             phi_2247_ = true;
                                                                         }
-                                                                        let _e1648 = phi_2246_;
-                                                                        let _e1650 = phi_2247_;
-                                                                        if _e1650 {
-                                                                            let _e1658 = (((_e1506 * (_e1567 - (_e368 * _e1570))) + (_e1511 * (_e1568 - (_e436 * _e1570)))) / _e1540);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1658) & 2147483647u)) <= _e1472) {
-                                                                                phi_2267_ = (_e1570 + _e1658);
+                                                                        let _e1209 = phi_2246_;
+                                                                        let _e1211 = phi_2247_;
+                                                                        if _e1211 {
+                                                                            let _e1219 = (((_e1067 * (_e1128 - (_e368 * _e1131))) + (_e1072 * (_e1129 - (_e436 * _e1131)))) / _e1101);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u)) <= _e1033) {
+                                                                                phi_2267_ = (_e1131 + _e1219);
                                                                             } else {
-                                                                                phi_2267_ = _e1570;
+                                                                                phi_2267_ = _e1131;
                                                                             }
-                                                                            let _e1665 = phi_2267_;
-                                                                            phi_2268_ = _e1665;
+                                                                            let _e1226 = phi_2267_;
+                                                                            phi_2268_ = _e1226;
                                                                         } else {
-                                                                            phi_2268_ = _e1648;
+                                                                            phi_2268_ = _e1209;
                                                                         }
-                                                                        let _e1667 = phi_2268_;
-                                                                        let _e1669 = select(_e1405, _e1667, (_e1667 < _e1405));
-                                                                        let _e1671 = select(_e1397, _e1669, (_e1669 > _e1397));
-                                                                        if (_e1671 >= _e619) {
-                                                                            let _e1673 = (_e1671 <= _e1156.member_1);
-                                                                            if _e1673 {
-                                                                                let _e1674 = (1f / _e1324);
-                                                                                phi_2291_ = type_25(_e1671, (_e1318 * _e1674), (_e1322 * _e1674), _e1185);
+                                                                        let _e1228 = phi_2268_;
+                                                                        let _e1230 = select(_e966, _e1228, (_e1228 < _e966));
+                                                                        let _e1232 = select(_e958, _e1230, (_e1230 > _e958));
+                                                                        if (_e1232 >= _e619) {
+                                                                            let _e1234 = (_e1232 <= _e717.member_1);
+                                                                            if _e1234 {
+                                                                                let _e1235 = (1f / _e885);
+                                                                                phi_2291_ = type_25(_e1232, (_e879 * _e1235), (_e883 * _e1235), _e746);
                                                                             } else {
                                                                                 phi_2291_ = type_25();
                                                                             }
-                                                                            let _e1679 = phi_2291_;
-                                                                            phi_2293_ = _e1679;
-                                                                            phi_2294_ = select(true, false, _e1673);
+                                                                            let _e1240 = phi_2291_;
+                                                                            phi_2293_ = _e1240;
+                                                                            phi_2294_ = select(true, false, _e1234);
                                                                         } else {
                                                                             phi_2293_ = type_25();
                                                                             phi_2294_ = true;
                                                                         }
-                                                                        let _e1682 = phi_2293_;
-                                                                        let _e1684 = phi_2294_;
-                                                                        if _e1684 {
+                                                                        let _e1243 = phi_2293_;
+                                                                        let _e1245 = phi_2294_;
+                                                                        if _e1245 {
                                                                             phi_2298_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2298_ = _e1682;
+                                                                            phi_2298_ = _e1243;
                                                                         }
-                                                                        let _e1686 = phi_2298_;
-                                                                        phi_2299_ = _e1686;
+                                                                        let _e1247 = phi_2298_;
+                                                                        phi_2299_ = _e1247;
                                                                     }
-                                                                    let _e1688 = phi_2299_;
-                                                                    phi_2300_ = _e1688;
-                                                                    phi_2301_ = _e1414;
+                                                                    let _e1249 = phi_2299_;
+                                                                    phi_2300_ = _e1249;
+                                                                    phi_2301_ = _e975;
                                                                 }
-                                                                let _e1690 = phi_2300_;
-                                                                let _e1692 = phi_2301_;
-                                                                phi_2305_ = _e1690;
-                                                                phi_2306_ = _e1692;
+                                                                let _e1251 = phi_2300_;
+                                                                let _e1253 = phi_2301_;
+                                                                phi_2305_ = _e1251;
+                                                                phi_2306_ = _e1253;
                                                             }
-                                                            let _e1694 = phi_2305_;
-                                                            let _e1696 = phi_2306_;
-                                                            phi_2307_ = _e1694;
-                                                            phi_2308_ = _e1349;
-                                                            phi_2309_ = _e1696;
+                                                            let _e1255 = phi_2305_;
+                                                            let _e1257 = phi_2306_;
+                                                            phi_2307_ = _e1255;
+                                                            phi_2308_ = _e910;
+                                                            phi_2309_ = _e1257;
                                                         }
-                                                        let _e1698 = phi_2307_;
-                                                        let _e1700 = phi_2308_;
-                                                        let _e1702 = phi_2309_;
-                                                        phi_2310_ = _e1698;
-                                                        phi_2311_ = _e1700;
-                                                        phi_2312_ = _e1702;
+                                                        let _e1259 = phi_2307_;
+                                                        let _e1261 = phi_2308_;
+                                                        let _e1263 = phi_2309_;
+                                                        phi_2310_ = _e1259;
+                                                        phi_2311_ = _e1261;
+                                                        phi_2312_ = _e1263;
                                                     }
-                                                    let _e1704 = phi_2310_;
-                                                    let _e1706 = phi_2311_;
-                                                    let _e1708 = phi_2312_;
-                                                    phi_2320_ = _e1704;
-                                                    phi_2321_ = select(_e1708, true, _e1706);
+                                                    let _e1265 = phi_2310_;
+                                                    let _e1267 = phi_2311_;
+                                                    let _e1269 = phi_2312_;
+                                                    phi_2320_ = _e1265;
+                                                    phi_2321_ = select(_e1269, true, _e1267);
                                                 } else {
                                                     phi_2320_ = type_25();
                                                     phi_2321_ = true;
                                                 }
-                                                let _e1711 = phi_2320_;
-                                                let _e1713 = phi_2321_;
-                                                if _e1713 {
+                                                let _e1272 = phi_2320_;
+                                                let _e1274 = phi_2321_;
+                                                if _e1274 {
                                                     phi_2325_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2325_ = _e1711;
+                                                    phi_2325_ = _e1272;
                                                 }
-                                                let _e1715 = phi_2325_;
-                                                if (_e1715.member_3 != 4294967295u) {
-                                                    if (_e1185 != 4294967295u) {
-                                                        if (_e1715.member < _e1156.member.member) {
+                                                let _e1276 = phi_2325_;
+                                                if (_e1276.member_3 != 4294967295u) {
+                                                    if (_e746 != 4294967295u) {
+                                                        if (_e1276.member < _e717.member.member) {
                                                             phi_2351_ = true;
                                                         } else {
-                                                            if (_e1715.member == _e1156.member.member) {
-                                                                phi_2350_ = (_e1715.member_3 < _e1156.member.member_3);
+                                                            if (_e1276.member == _e717.member.member) {
+                                                                phi_2350_ = (_e1276.member_3 < _e717.member.member_3);
                                                             } else {
                                                                 phi_2350_ = false;
                                                             }
-                                                            let _e1728 = phi_2350_;
-                                                            phi_2351_ = _e1728;
+                                                            let _e1289 = phi_2350_;
+                                                            phi_2351_ = _e1289;
                                                         }
-                                                        let _e1730 = phi_2351_;
-                                                        if _e1730 {
-                                                            phi_2357_ = type_38(_e1715, _e1715.member);
+                                                        let _e1291 = phi_2351_;
+                                                        if _e1291 {
+                                                            phi_2357_ = type_38(_e1276, _e1276.member);
                                                         } else {
-                                                            phi_2357_ = _e1156;
+                                                            phi_2357_ = _e717;
                                                         }
-                                                        let _e1733 = phi_2357_;
-                                                        phi_2358_ = _e1733;
+                                                        let _e1294 = phi_2357_;
+                                                        phi_2358_ = _e1294;
                                                     } else {
-                                                        phi_2358_ = _e1156;
+                                                        phi_2358_ = _e717;
                                                     }
-                                                    let _e1735 = phi_2358_;
-                                                    phi_2359_ = _e1735;
+                                                    let _e1296 = phi_2358_;
+                                                    phi_2359_ = _e1296;
                                                 } else {
-                                                    phi_2359_ = _e1156;
+                                                    phi_2359_ = _e717;
                                                 }
-                                                let _e1737 = phi_2359_;
-                                                phi_1288_ = _e1737;
+                                                let _e1298 = phi_2359_;
+                                                phi_1288_ = _e1298;
                                             } else {
                                                 phi_1288_ = type_38();
                                             }
-                                            let _e1739 = phi_1288_;
+                                            let _e1300 = phi_1288_;
                                             continue;
                                             continuing {
-                                                phi_1287_ = _e1739;
-                                                phi_1290_ = _e1171;
-                                                phi_3965_ = _e661;
-                                                break if !(_e1177);
+                                                phi_1287_ = _e1300;
+                                                phi_1290_ = _e732;
+                                                phi_3969_ = _e661;
+                                                break if !(_e738);
                                             }
                                         }
-                                        let _e1742 = phi_3965_;
-                                        phi_4125_ = _e1742;
-                                        if _e1742 {
+                                        let _e1303 = phi_3969_;
+                                        phi_4129_ = _e1303;
+                                        if _e1303 {
                                             break;
                                         }
-                                        phi_4129_ = _e1742;
-                                        let _e2035 = local_11;
-                                        phi_3595_ = _e2035;
-                                        phi_3596_ = false;
-                                        phi_3597_ = _e704;
-                                        phi_3598_ = _e706;
+                                        phi_4215_ = _e1303;
+                                        let _e2020 = local_11;
+                                        phi_2360_ = _e2020;
+                                    } else {
+                                        phi_4215_ = _e661;
+                                        phi_2360_ = _e663;
+                                    }
+                                    let _e1305 = phi_4215_;
+                                    let _e1307 = phi_2360_;
+                                    if _e710 {
+                                        phi_3590_ = bool();
+                                        phi_3591_ = u32();
+                                        phi_3592_ = type_50();
                                     } else {
                                         if (_e706.member_1 >= _e94) {
-                                            phi_3130_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3126_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e706.member_1 < _e94) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e718 = ((1u + _e264) % 4u);
-                                            if (_e718 < 4u) {
+                                            let _e1311 = ((1u + _e264) % 4u);
+                                            if (_e1311 < 4u) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e723 = global_4.member[_e706.member_1][_e718];
-                                            let _e725 = (_e723 >> bitcast<u32>(11u));
-                                            let _e727 = ((1u + _e263) % 4u);
-                                            if (_e727 < 4u) {
+                                            let _e1316 = global_4.member[_e706.member_1][_e1311];
+                                            let _e1318 = (_e1316 >> bitcast<u32>(11u));
+                                            let _e1320 = ((1u + _e263) % 4u);
+                                            if (_e1320 < 4u) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e732 = global_4.member[_e706.member_1][_e727];
-                                            let _e734 = (_e732 >> bitcast<u32>(11u));
-                                            let _e736 = ((1u + _e265) % 4u);
-                                            if (_e736 < 4u) {
+                                            let _e1325 = global_4.member[_e706.member_1][_e1320];
+                                            let _e1327 = (_e1325 >> bitcast<u32>(11u));
+                                            let _e1329 = ((1u + _e265) % 4u);
+                                            if (_e1329 < 4u) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e741 = global_4.member[_e706.member_1][_e736];
-                                            let _e743 = (_e741 >> bitcast<u32>(11u));
-                                            let _e766 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.x - _e706.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e767 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.y - _e706.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e768 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.z - _e706.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e770 = select(_e144, _e766, (_e766 > _e144));
-                                            let _e772 = select(_e144, _e767, (_e767 > _e144));
-                                            let _e774 = select(_e144, _e768, (_e768 > _e144));
-                                            let _e805 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e723 & 1023u))) - 8388608f) * _e770));
-                                            let _e810 = (bitcast<i32>((_e723 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e813 = bitcast<f32>((_e805 & bitcast<u32>(_e810)));
-                                            let _e814 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e732 & 1023u))) - 8388608f) * _e772));
-                                            let _e819 = (bitcast<i32>((_e732 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e822 = bitcast<f32>((_e814 & bitcast<u32>(_e819)));
-                                            let _e823 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e741 & 1023u))) - 8388608f) * _e774));
-                                            let _e828 = (bitcast<i32>((_e741 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e831 = bitcast<f32>((_e823 & bitcast<u32>(_e828)));
-                                            let _e835 = bitcast<f32>((_e805 & bitcast<u32>(~(_e810))));
-                                            let _e839 = bitcast<f32>((_e814 & bitcast<u32>(~(_e819))));
-                                            let _e843 = bitcast<f32>((_e823 & bitcast<u32>(~(_e828))));
-                                            let _e844 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 1023u))) - 8388608f) * _e770));
-                                            let _e849 = (bitcast<i32>((_e725 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e852 = bitcast<f32>((_e844 & bitcast<u32>(_e849)));
-                                            let _e853 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e734 & 1023u))) - 8388608f) * _e772));
-                                            let _e858 = (bitcast<i32>((_e734 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e861 = bitcast<f32>((_e853 & bitcast<u32>(_e858)));
-                                            let _e862 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e743 & 1023u))) - 8388608f) * _e774));
-                                            let _e867 = (bitcast<i32>((_e743 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e870 = bitcast<f32>((_e862 & bitcast<u32>(_e867)));
-                                            let _e874 = bitcast<f32>((_e844 & bitcast<u32>(~(_e849))));
-                                            let _e878 = bitcast<f32>((_e853 & bitcast<u32>(~(_e858))));
-                                            let _e882 = bitcast<f32>((_e862 & bitcast<u32>(~(_e867))));
-                                            let _e912 = global_4.member[_e706.member_1][0u];
-                                            let _e916 = global_4.member[_e706.member_1][1u];
-                                            let _e920 = global_4.member[_e706.member_1][2u];
-                                            let _e924 = global_4.member[_e706.member_1][3u];
-                                            let _e936 = (((_e916 >> bitcast<u32>(22i)) | ((_e920 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e924 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e937 = (_e912 & 268435455u);
-                                            let _e938 = (_e936 & 268435455u);
-                                            let _e941 = ((_e912 >> bitcast<u32>(28u)) & 7u);
-                                            let _e949 = ((_e912 >> bitcast<u32>(31i)) | (((_e936 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e950 = (_e941 != 0u);
-                                            if (_e941 == 0u) {
-                                                phi_3092_ = _e937;
+                                            let _e1334 = global_4.member[_e706.member_1][_e1329];
+                                            let _e1336 = (_e1334 >> bitcast<u32>(11u));
+                                            let _e1359 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.x - _e706.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1360 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.y - _e706.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1361 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.z - _e706.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1363 = select(_e144, _e1359, (_e1359 > _e144));
+                                            let _e1365 = select(_e144, _e1360, (_e1360 > _e144));
+                                            let _e1367 = select(_e144, _e1361, (_e1361 > _e144));
+                                            let _e1398 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1316 & 1023u))) - 8388608f) * _e1363));
+                                            let _e1403 = (bitcast<i32>((_e1316 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1406 = bitcast<f32>((_e1398 & bitcast<u32>(_e1403)));
+                                            let _e1407 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1325 & 1023u))) - 8388608f) * _e1365));
+                                            let _e1412 = (bitcast<i32>((_e1325 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1415 = bitcast<f32>((_e1407 & bitcast<u32>(_e1412)));
+                                            let _e1416 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1334 & 1023u))) - 8388608f) * _e1367));
+                                            let _e1421 = (bitcast<i32>((_e1334 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1424 = bitcast<f32>((_e1416 & bitcast<u32>(_e1421)));
+                                            let _e1428 = bitcast<f32>((_e1398 & bitcast<u32>(~(_e1403))));
+                                            let _e1432 = bitcast<f32>((_e1407 & bitcast<u32>(~(_e1412))));
+                                            let _e1436 = bitcast<f32>((_e1416 & bitcast<u32>(~(_e1421))));
+                                            let _e1437 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1318 & 1023u))) - 8388608f) * _e1363));
+                                            let _e1442 = (bitcast<i32>((_e1318 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1445 = bitcast<f32>((_e1437 & bitcast<u32>(_e1442)));
+                                            let _e1446 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1327 & 1023u))) - 8388608f) * _e1365));
+                                            let _e1451 = (bitcast<i32>((_e1327 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1454 = bitcast<f32>((_e1446 & bitcast<u32>(_e1451)));
+                                            let _e1455 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1336 & 1023u))) - 8388608f) * _e1367));
+                                            let _e1460 = (bitcast<i32>((_e1336 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1463 = bitcast<f32>((_e1455 & bitcast<u32>(_e1460)));
+                                            let _e1467 = bitcast<f32>((_e1437 & bitcast<u32>(~(_e1442))));
+                                            let _e1471 = bitcast<f32>((_e1446 & bitcast<u32>(~(_e1451))));
+                                            let _e1475 = bitcast<f32>((_e1455 & bitcast<u32>(~(_e1460))));
+                                            let _e1505 = global_4.member[_e706.member_1][0u];
+                                            let _e1509 = global_4.member[_e706.member_1][1u];
+                                            let _e1513 = global_4.member[_e706.member_1][2u];
+                                            let _e1517 = global_4.member[_e706.member_1][3u];
+                                            let _e1529 = (((_e1509 >> bitcast<u32>(22i)) | ((_e1513 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1517 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1530 = (_e1505 & 268435455u);
+                                            let _e1531 = (_e1529 & 268435455u);
+                                            let _e1534 = ((_e1505 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1542 = ((_e1505 >> bitcast<u32>(31i)) | (((_e1529 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1543 = (_e1534 != 0u);
+                                            if (_e1534 == 0u) {
+                                                phi_3088_ = _e1530;
                                             } else {
-                                                if (_e941 == 7u) {
-                                                    phi_3091_ = 2147483648u;
+                                                if (_e1534 == 7u) {
+                                                    phi_3087_ = 2147483648u;
                                                 } else {
-                                                    phi_3091_ = ((2147483648u | (_e941 << bitcast<u32>(28u))) | (_e938 & 268435455u));
+                                                    phi_3087_ = ((2147483648u | (_e1534 << bitcast<u32>(28u))) | (_e1531 & 268435455u));
                                                 }
-                                                let _e959 = phi_3091_;
-                                                phi_3092_ = _e959;
+                                                let _e1552 = phi_3087_;
+                                                phi_3088_ = _e1552;
                                             }
-                                            let _e961 = phi_3092_;
-                                            if _e950 {
-                                                let _e962 = (_e941 != 7u);
-                                                if _e962 {
-                                                    phi_3102_ = (_e938 + _e941);
+                                            let _e1554 = phi_3088_;
+                                            if _e1543 {
+                                                let _e1555 = (_e1534 != 7u);
+                                                if _e1555 {
+                                                    phi_3098_ = (_e1531 + _e1534);
                                                 } else {
-                                                    phi_3102_ = u32();
+                                                    phi_3098_ = u32();
                                                 }
-                                                let _e965 = phi_3102_;
-                                                phi_3104_ = _e965;
-                                                phi_3105_ = select(true, false, _e962);
+                                                let _e1558 = phi_3098_;
+                                                phi_3100_ = _e1558;
+                                                phi_3101_ = select(true, false, _e1555);
                                             } else {
-                                                phi_3104_ = u32();
-                                                phi_3105_ = true;
+                                                phi_3100_ = u32();
+                                                phi_3101_ = true;
                                             }
-                                            let _e968 = phi_3104_;
-                                            let _e970 = phi_3105_;
-                                            if (_e949 == 0u) {
-                                                phi_3126_ = (_e937 + select(0u, 1u, !(_e950)));
+                                            let _e1561 = phi_3100_;
+                                            let _e1563 = phi_3101_;
+                                            if (_e1542 == 0u) {
+                                                phi_3122_ = (_e1530 + select(0u, 1u, !(_e1543)));
                                             } else {
-                                                if (_e949 == 7u) {
-                                                    phi_3125_ = 2147483648u;
+                                                if (_e1542 == 7u) {
+                                                    phi_3121_ = 2147483648u;
                                                 } else {
-                                                    phi_3125_ = ((2147483648u | (_e949 << bitcast<u32>(28u))) | (select(_e968, _e938, _e970) & 268435455u));
+                                                    phi_3121_ = ((2147483648u | (_e1542 << bitcast<u32>(28u))) | (select(_e1561, _e1531, _e1563) & 268435455u));
                                                 }
-                                                let _e983 = phi_3125_;
-                                                phi_3126_ = _e983;
+                                                let _e1576 = phi_3121_;
+                                                phi_3122_ = _e1576;
                                             }
-                                            let _e985 = phi_3126_;
-                                            phi_3130_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e706.member.member.x + _e813), (_e706.member.member.x + _e835), (_e706.member.member_1.x - _e852), (_e706.member.member_1.x - _e874)), vec4<f32>((_e706.member.member.y + _e822), (_e706.member.member.y + _e839), (_e706.member.member_1.y - _e861), (_e706.member.member_1.y - _e878)), vec4<f32>((_e706.member.member.z + _e831), (_e706.member.member.z + _e843), (_e706.member.member_1.z - _e870), (_e706.member.member_1.z - _e882))), type_50(type_33((_e706.member.member + vec4<f32>(_e813, _e822, _e831, 0f)), (_e706.member.member_1 - vec4<f32>(_e852, _e861, _e870, 0f))), _e961), type_50(type_33((_e706.member.member + vec4<f32>(_e835, _e839, _e843, 0f)), (_e706.member.member_1 - vec4<f32>(_e874, _e878, _e882, 0f))), _e985));
+                                            let _e1578 = phi_3122_;
+                                            phi_3126_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e706.member.member.x + _e1406), (_e706.member.member.x + _e1428), (_e706.member.member_1.x - _e1445), (_e706.member.member_1.x - _e1467)), vec4<f32>((_e706.member.member.y + _e1415), (_e706.member.member.y + _e1432), (_e706.member.member_1.y - _e1454), (_e706.member.member_1.y - _e1471)), vec4<f32>((_e706.member.member.z + _e1424), (_e706.member.member.z + _e1436), (_e706.member.member_1.z - _e1463), (_e706.member.member_1.z - _e1475))), type_50(type_33((_e706.member.member + vec4<f32>(_e1406, _e1415, _e1424, 0f)), (_e706.member.member_1 - vec4<f32>(_e1445, _e1454, _e1463, 0f))), _e1554), type_50(type_33((_e706.member.member + vec4<f32>(_e1428, _e1432, _e1436, 0f)), (_e706.member.member_1 - vec4<f32>(_e1467, _e1471, _e1475, 0f))), _e1578));
                                         }
-                                        let _e990 = phi_3130_;
-                                        let _e1002 = ((_e990.member[0].x - _e366) * _e371);
-                                        let _e1003 = ((_e990.member[0].y - _e366) * _e371);
-                                        let _e1004 = ((_e990.member[0].z - _e367) * _e371);
-                                        let _e1005 = ((_e990.member[0].w - _e367) * _e371);
-                                        let _e1015 = ((_e990.member[1].x - _e434) * _e439);
-                                        let _e1016 = ((_e990.member[1].y - _e434) * _e439);
-                                        let _e1017 = ((_e990.member[1].z - _e435) * _e439);
-                                        let _e1018 = ((_e990.member[1].w - _e435) * _e439);
-                                        let _e1028 = ((_e990.member[2].x - _e502) * _e507);
-                                        let _e1029 = ((_e990.member[2].y - _e502) * _e507);
-                                        let _e1030 = ((_e990.member[2].z - _e503) * _e507);
-                                        let _e1031 = ((_e990.member[2].w - _e503) * _e507);
-                                        let _e1033 = select(_e1030, _e1028, (_e1028 < _e1030));
-                                        let _e1035 = select(_e1031, _e1029, (_e1029 < _e1031));
-                                        let _e1037 = select(_e1030, _e1028, (_e1028 > _e1030));
-                                        let _e1039 = select(_e1031, _e1029, (_e1029 > _e1031));
-                                        let _e1041 = select(_e1004, _e1002, (_e1002 < _e1004));
-                                        let _e1043 = select(_e1005, _e1003, (_e1003 < _e1005));
-                                        let _e1045 = select(_e1017, _e1015, (_e1015 < _e1017));
-                                        let _e1047 = select(_e1018, _e1016, (_e1016 < _e1018));
-                                        let _e1049 = select(_e1045, _e1041, (_e1041 > _e1045));
-                                        let _e1051 = select(_e1047, _e1043, (_e1043 > _e1047));
-                                        let _e1053 = select(_e1033, _e1049, (_e1049 > _e1033));
-                                        let _e1055 = select(_e1035, _e1051, (_e1051 > _e1035));
-                                        let _e1057 = select(_e1004, _e1002, (_e1002 > _e1004));
-                                        let _e1059 = select(_e1005, _e1003, (_e1003 > _e1005));
-                                        let _e1061 = select(_e1017, _e1015, (_e1015 > _e1017));
-                                        let _e1063 = select(_e1018, _e1016, (_e1016 > _e1018));
-                                        let _e1065 = select(_e1061, _e1057, (_e1057 < _e1061));
-                                        let _e1067 = select(_e1063, _e1059, (_e1059 < _e1063));
-                                        let _e1072 = -(_e1033);
-                                        let _e1073 = -(_e1035);
-                                        let _e1080 = (select(_e1037, _e1065, (_e1065 < _e1037)) + (select(_e1072, _e1037, (_e1037 > _e1072)) * 0.0000019073523f));
-                                        let _e1081 = (select(_e1039, _e1067, (_e1067 < _e1039)) + (select(_e1073, _e1039, (_e1039 > _e1073)) * 0.0000019073523f));
-                                        let _e1083 = select(_e619, _e1053, (_e1053 > _e619));
-                                        let _e1085 = select(_e619, _e1055, (_e1055 > _e619));
-                                        let _e1090 = (_e1083 <= select(_e663.member_1, _e1080, (_e1080 < _e663.member_1)));
-                                        let _e1091 = (_e1085 <= select(_e663.member_1, _e1081, (_e1081 < _e663.member_1)));
-                                        let _e1092 = (_e1083 <= _e1085);
-                                        if _e1090 {
-                                            if _e1091 {
-                                                if _e1092 {
-                                                    phi_3492_ = _e990.member_2;
+                                        let _e1583 = phi_3126_;
+                                        let _e1595 = ((_e1583.member[0].x - _e366) * _e371);
+                                        let _e1596 = ((_e1583.member[0].y - _e366) * _e371);
+                                        let _e1597 = ((_e1583.member[0].z - _e367) * _e371);
+                                        let _e1598 = ((_e1583.member[0].w - _e367) * _e371);
+                                        let _e1608 = ((_e1583.member[1].x - _e434) * _e439);
+                                        let _e1609 = ((_e1583.member[1].y - _e434) * _e439);
+                                        let _e1610 = ((_e1583.member[1].z - _e435) * _e439);
+                                        let _e1611 = ((_e1583.member[1].w - _e435) * _e439);
+                                        let _e1621 = ((_e1583.member[2].x - _e502) * _e507);
+                                        let _e1622 = ((_e1583.member[2].y - _e502) * _e507);
+                                        let _e1623 = ((_e1583.member[2].z - _e503) * _e507);
+                                        let _e1624 = ((_e1583.member[2].w - _e503) * _e507);
+                                        let _e1626 = select(_e1623, _e1621, (_e1621 < _e1623));
+                                        let _e1628 = select(_e1624, _e1622, (_e1622 < _e1624));
+                                        let _e1630 = select(_e1623, _e1621, (_e1621 > _e1623));
+                                        let _e1632 = select(_e1624, _e1622, (_e1622 > _e1624));
+                                        let _e1634 = select(_e1597, _e1595, (_e1595 < _e1597));
+                                        let _e1636 = select(_e1598, _e1596, (_e1596 < _e1598));
+                                        let _e1638 = select(_e1610, _e1608, (_e1608 < _e1610));
+                                        let _e1640 = select(_e1611, _e1609, (_e1609 < _e1611));
+                                        let _e1642 = select(_e1638, _e1634, (_e1634 > _e1638));
+                                        let _e1644 = select(_e1640, _e1636, (_e1636 > _e1640));
+                                        let _e1646 = select(_e1626, _e1642, (_e1642 > _e1626));
+                                        let _e1648 = select(_e1628, _e1644, (_e1644 > _e1628));
+                                        let _e1650 = select(_e1597, _e1595, (_e1595 > _e1597));
+                                        let _e1652 = select(_e1598, _e1596, (_e1596 > _e1598));
+                                        let _e1654 = select(_e1610, _e1608, (_e1608 > _e1610));
+                                        let _e1656 = select(_e1611, _e1609, (_e1609 > _e1611));
+                                        let _e1658 = select(_e1654, _e1650, (_e1650 < _e1654));
+                                        let _e1660 = select(_e1656, _e1652, (_e1652 < _e1656));
+                                        let _e1665 = -(_e1626);
+                                        let _e1666 = -(_e1628);
+                                        let _e1673 = (select(_e1630, _e1658, (_e1658 < _e1630)) + (select(_e1665, _e1630, (_e1630 > _e1665)) * 0.0000019073523f));
+                                        let _e1674 = (select(_e1632, _e1660, (_e1660 < _e1632)) + (select(_e1666, _e1632, (_e1632 > _e1666)) * 0.0000019073523f));
+                                        let _e1676 = select(_e619, _e1646, (_e1646 > _e619));
+                                        let _e1678 = select(_e619, _e1648, (_e1648 > _e619));
+                                        let _e1683 = (_e1676 <= select(_e1307.member_1, _e1673, (_e1673 < _e1307.member_1)));
+                                        let _e1684 = (_e1678 <= select(_e1307.member_1, _e1674, (_e1674 < _e1307.member_1)));
+                                        let _e1685 = (_e1676 <= _e1678);
+                                        if _e1683 {
+                                            if _e1684 {
+                                                if _e1685 {
+                                                    phi_3488_ = _e1583.member_2;
                                                 } else {
-                                                    phi_3492_ = _e990.member_1;
+                                                    phi_3488_ = _e1583.member_1;
                                                 }
-                                                let _e1096 = phi_3492_;
-                                                let _e1118 = (_e704 % 128u);
-                                                let _e1119 = (_e1118 < 128u);
-                                                if _e1119 {
+                                                let _e1689 = phi_3488_;
+                                                let _e1710 = (_e704 % 128u);
+                                                let _e1711 = (_e1710 < 128u);
+                                                if _e1711 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1118] = _e1096.member_1;
-                                                if _e1119 {
+                                                local_8[_e1710] = _e1689.member_1;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1118] = _e1096.member.member.x;
-                                                if _e1119 {
+                                                local_7[_e1710] = _e1689.member.member.x;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1118] = _e1096.member.member.y;
-                                                if _e1119 {
+                                                local_6[_e1710] = _e1689.member.member.y;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1118] = _e1096.member.member.z;
-                                                if _e1119 {
+                                                local_5[_e1710] = _e1689.member.member.z;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1118] = _e1096.member.member_1.x;
-                                                if _e1119 {
+                                                local_4[_e1710] = _e1689.member.member_1.x;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1118] = _e1096.member.member_1.y;
-                                                if _e1119 {
+                                                local_3[_e1710] = _e1689.member.member_1.y;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1118] = _e1096.member.member_1.z;
-                                                if _e1119 {
+                                                local_2[_e1710] = _e1689.member.member_1.z;
+                                                if _e1711 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1118] = select(_e1085, _e1083, !(_e1092));
-                                                if _e1092 {
-                                                    phi_3569_ = _e990.member_1;
+                                                local_9[_e1710] = select(_e1676, _e1678, _e1685);
+                                                if _e1685 {
+                                                    phi_3564_ = _e1583.member_1;
                                                 } else {
-                                                    phi_3569_ = _e990.member_2;
+                                                    phi_3564_ = _e1583.member_2;
                                                 }
-                                                let _e1132 = phi_3569_;
-                                                phi_3570_ = (_e704 + 1u);
-                                                phi_3571_ = _e1132;
+                                                let _e1724 = phi_3564_;
+                                                phi_3565_ = (_e704 + 1u);
+                                                phi_3566_ = _e1724;
                                             } else {
-                                                phi_3570_ = u32();
-                                                phi_3571_ = type_50();
+                                                phi_3565_ = u32();
+                                                phi_3566_ = type_50();
                                             }
-                                            let _e1134 = phi_3570_;
-                                            let _e1136 = phi_3571_;
-                                            phi_3573_ = _e1134;
-                                            phi_3574_ = _e1136;
-                                            phi_3575_ = select(true, false, _e1091);
+                                            let _e1726 = phi_3565_;
+                                            let _e1728 = phi_3566_;
+                                            phi_3568_ = _e1726;
+                                            phi_3569_ = _e1728;
+                                            phi_3570_ = select(true, false, _e1684);
                                         } else {
-                                            phi_3573_ = u32();
-                                            phi_3574_ = type_50();
-                                            phi_3575_ = true;
+                                            phi_3568_ = u32();
+                                            phi_3569_ = type_50();
+                                            phi_3570_ = true;
                                         }
-                                        let _e1139 = phi_3573_;
-                                        let _e1141 = phi_3574_;
-                                        let _e1143 = phi_3575_;
-                                        if _e1143 {
-                                            if _e1090 {
-                                                phi_3584_ = _e990.member_1;
+                                        let _e1731 = phi_3568_;
+                                        let _e1733 = phi_3569_;
+                                        let _e1735 = phi_3570_;
+                                        if _e1735 {
+                                            if _e1683 {
+                                                phi_3579_ = _e1583.member_1;
                                             } else {
-                                                phi_3584_ = _e990.member_2;
+                                                phi_3579_ = _e1583.member_2;
                                             }
-                                            let _e1147 = phi_3584_;
-                                            phi_3589_ = select(_e1091, true, _e1090);
-                                            phi_3591_ = _e1147;
+                                            let _e1739 = phi_3579_;
+                                            phi_3584_ = select(_e1684, true, _e1683);
+                                            phi_3586_ = _e1739;
                                         } else {
-                                            phi_3589_ = _e702;
-                                            phi_3591_ = _e1141;
+                                            phi_3584_ = _e702;
+                                            phi_3586_ = _e1733;
                                         }
-                                        let _e1150 = phi_3589_;
-                                        let _e1152 = phi_3591_;
-                                        phi_4129_ = _e661;
-                                        phi_3595_ = _e663;
-                                        phi_3596_ = _e1150;
-                                        phi_3597_ = select(_e1139, _e704, _e1143);
-                                        phi_3598_ = _e1152;
+                                        let _e1742 = phi_3584_;
+                                        let _e1744 = phi_3586_;
+                                        phi_3590_ = _e1742;
+                                        phi_3591_ = select(_e1731, _e704, _e1735);
+                                        phi_3592_ = _e1744;
                                     }
-                                    let _e1744 = phi_4129_;
-                                    let _e1746 = phi_3595_;
-                                    let _e1748 = phi_3596_;
-                                    let _e1750 = phi_3597_;
-                                    let _e1752 = phi_3598_;
-                                    phi_4128_ = _e1744;
-                                    phi_3599_ = _e1746;
-                                    phi_3600_ = _e1748;
-                                    phi_3601_ = (_e667 - 1u);
-                                    phi_3602_ = _e1750;
-                                    phi_3603_ = _e1752;
+                                    let _e1747 = phi_3590_;
+                                    let _e1749 = phi_3591_;
+                                    let _e1751 = phi_3592_;
+                                    if _e710 {
+                                        phi_3602_ = _e706;
+                                    } else {
+                                        phi_3602_ = _e1751;
+                                    }
+                                    let _e1753 = phi_3602_;
+                                    phi_4132_ = _e1305;
+                                    phi_3603_ = _e1307;
+                                    phi_3604_ = (_e665 - 1u);
+                                    phi_3605_ = select(_e1747, false, _e710);
+                                    phi_3606_ = select(_e1749, _e704, _e710);
+                                    phi_3607_ = _e1753;
                                 } else {
-                                    phi_4128_ = _e661;
-                                    phi_3599_ = _e663;
-                                    phi_3600_ = _e702;
-                                    phi_3601_ = _e667;
-                                    phi_3602_ = _e704;
-                                    phi_3603_ = _e706;
+                                    phi_4132_ = _e661;
+                                    phi_3603_ = _e663;
+                                    phi_3604_ = _e665;
+                                    phi_3605_ = _e702;
+                                    phi_3606_ = _e704;
+                                    phi_3607_ = _e706;
                                 }
-                                let _e1754 = phi_4128_;
-                                let _e1756 = phi_3599_;
-                                let _e1758 = phi_3600_;
-                                let _e1760 = phi_3601_;
-                                let _e1762 = phi_3602_;
-                                let _e1764 = phi_3603_;
-                                phi_4127_ = _e1754;
-                                phi_3604_ = _e1756;
-                                phi_3605_ = _e1758;
-                                phi_3606_ = _e1760;
-                                phi_3607_ = _e1762;
-                                phi_3608_ = _e1764;
+                                let _e1757 = phi_4132_;
+                                let _e1759 = phi_3603_;
+                                let _e1761 = phi_3604_;
+                                let _e1763 = phi_3605_;
+                                let _e1765 = phi_3606_;
+                                let _e1767 = phi_3607_;
+                                phi_4131_ = _e1757;
+                                phi_3608_ = _e1759;
+                                phi_3609_ = _e1761;
+                                phi_3610_ = _e1763;
+                                phi_3611_ = _e1765;
+                                phi_3612_ = _e1767;
                             } else {
-                                phi_4127_ = _e661;
-                                phi_3604_ = type_38();
-                                phi_3605_ = bool();
-                                phi_3606_ = u32();
-                                phi_3607_ = u32();
-                                phi_3608_ = type_50();
+                                phi_4131_ = _e661;
+                                phi_3608_ = type_38();
+                                phi_3609_ = u32();
+                                phi_3610_ = bool();
+                                phi_3611_ = u32();
+                                phi_3612_ = type_50();
                             }
-                            let _e1766 = phi_4127_;
-                            let _e1768 = phi_3604_;
-                            let _e1770 = phi_3605_;
-                            let _e1772 = phi_3606_;
-                            let _e1774 = phi_3607_;
-                            let _e1776 = phi_3608_;
-                            phi_4126_ = _e1766;
-                            phi_1162_ = _e1768;
-                            phi_1165_ = _e1770;
-                            phi_1167_ = _e1772;
-                            phi_1169_ = _e1774;
-                            phi_1171_ = _e1776;
-                            phi_3609_ = _e675;
+                            let _e1769 = phi_4131_;
+                            let _e1771 = phi_3608_;
+                            let _e1773 = phi_3609_;
+                            let _e1775 = phi_3610_;
+                            let _e1777 = phi_3611_;
+                            let _e1779 = phi_3612_;
+                            phi_4130_ = _e1769;
+                            phi_1162_ = _e1771;
+                            phi_1165_ = _e1773;
+                            phi_1167_ = _e1775;
+                            phi_1169_ = _e1777;
+                            phi_1171_ = _e1779;
+                            phi_3613_ = _e675;
                         } else {
-                            phi_4126_ = _e661;
+                            phi_4130_ = _e661;
                             phi_1162_ = type_38();
-                            phi_1165_ = bool();
-                            phi_1167_ = u32();
+                            phi_1165_ = u32();
+                            phi_1167_ = bool();
                             phi_1169_ = u32();
                             phi_1171_ = type_50();
-                            phi_3609_ = false;
+                            phi_3613_ = false;
                         }
-                        let _e1778 = phi_4126_;
-                        let _e1780 = phi_1162_;
-                        let _e1782 = phi_1165_;
-                        let _e1784 = phi_1167_;
-                        let _e1786 = phi_1169_;
-                        let _e1788 = phi_1171_;
-                        let _e1790 = phi_3609_;
+                        let _e1781 = phi_4130_;
+                        let _e1783 = phi_1162_;
+                        let _e1785 = phi_1165_;
+                        let _e1787 = phi_1167_;
+                        let _e1789 = phi_1169_;
+                        let _e1791 = phi_1171_;
+                        let _e1793 = phi_3613_;
                         continue;
                         continuing {
-                            phi_3971_ = _e1778;
-                            phi_1161_ = _e1780;
-                            phi_1164_ = _e1782;
-                            phi_1166_ = _e1784;
-                            phi_1168_ = _e1786;
-                            phi_1170_ = _e1788;
-                            phi_4125_ = _e1778;
-                            break if !(_e1790);
+                            phi_3975_ = _e1781;
+                            phi_1161_ = _e1783;
+                            phi_1164_ = _e1785;
+                            phi_1166_ = _e1787;
+                            phi_1168_ = _e1789;
+                            phi_1170_ = _e1791;
+                            phi_4129_ = _e1781;
+                            break if !(_e1793);
                         }
                     }
-                    let _e1793 = phi_4125_;
-                    if _e1793 {
+                    let _e1796 = phi_4129_;
+                    if _e1796 {
                         break;
                     }
-                    let _e1795 = local_10;
-                    if (_e1795.member.member_3 != 4294967295u) {
-                        let _e1800 = -(_e521);
-                        let _e1801 = bitcast<u32>(_e1795.member.member);
-                        let _e1805 = (bitcast<i32>((_e1801 >> bitcast<u32>(23i))) & 255i);
-                        let _e1806 = (_e1805 + _e1800);
-                        if (_e1805 == 255i) {
-                            phi_3668_ = _e1795.member.member;
+                    let _e1798 = local_10;
+                    if (_e1798.member.member_3 != 4294967295u) {
+                        let _e1803 = -(_e521);
+                        let _e1804 = bitcast<u32>(_e1798.member.member);
+                        let _e1808 = (bitcast<i32>((_e1804 >> bitcast<u32>(23i))) & 255i);
+                        let _e1809 = (_e1808 + _e1803);
+                        if (_e1808 == 255i) {
+                            phi_3672_ = _e1798.member.member;
                         } else {
-                            if (_e1805 > 0i) {
-                                if (_e1806 > 0i) {
-                                    let _e1810 = (_e1806 < 255i);
-                                    if _e1810 {
-                                        phi_3647_ = bitcast<f32>((_e1801 + bitcast<u32>((_e1800 << bitcast<u32>(23i)))));
+                            if (_e1808 > 0i) {
+                                if (_e1809 > 0i) {
+                                    let _e1813 = (_e1809 < 255i);
+                                    if _e1813 {
+                                        phi_3651_ = bitcast<f32>((_e1804 + bitcast<u32>((_e1803 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3647_ = f32();
+                                        phi_3651_ = f32();
                                     }
-                                    let _e1817 = phi_3647_;
-                                    phi_3649_ = _e1817;
-                                    phi_3650_ = select(true, false, _e1810);
+                                    let _e1820 = phi_3651_;
+                                    phi_3653_ = _e1820;
+                                    phi_3654_ = select(true, false, _e1813);
                                 } else {
-                                    phi_3649_ = f32();
-                                    phi_3650_ = true;
+                                    phi_3653_ = f32();
+                                    phi_3654_ = true;
                                 }
-                                let _e1820 = phi_3649_;
-                                let _e1822 = phi_3650_;
-                                phi_3651_ = _e1820;
-                                phi_3652_ = _e1822;
+                                let _e1823 = phi_3653_;
+                                let _e1825 = phi_3654_;
+                                phi_3655_ = _e1823;
+                                phi_3656_ = _e1825;
                             } else {
-                                phi_3651_ = f32();
-                                phi_3652_ = true;
+                                phi_3655_ = f32();
+                                phi_3656_ = true;
                             }
-                            let _e1824 = phi_3651_;
-                            let _e1826 = phi_3652_;
-                            if _e1826 {
-                                let _e1827 = (_e1801 & 2147483648u);
-                                let _e1834 = ((_e1801 & 8388607u) | (select(0u, 1u, ((_e1801 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1838 = (_e1834 == 0u);
-                                if _e1838 {
-                                    phi_3923_ = bitcast<f32>(_e1827);
+                            let _e1827 = phi_3655_;
+                            let _e1829 = phi_3656_;
+                            if _e1829 {
+                                let _e1830 = (_e1804 & 2147483648u);
+                                let _e1837 = ((_e1804 & 8388607u) | (select(0u, 1u, ((_e1804 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1841 = (_e1837 == 0u);
+                                if _e1841 {
+                                    phi_3927_ = bitcast<f32>(_e1830);
                                 } else {
-                                    let _e1843 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1834)), 32u, _e1838) - 8u);
-                                    let _e1846 = (_e1834 << bitcast<u32>((_e1843 & 31u)));
-                                    let _e1848 = ((_e1806 + select(0i, 1i, (_e1805 == 0i))) - bitcast<i32>(_e1843));
-                                    if (_e1848 >= 255i) {
-                                        phi_3913_ = bitcast<f32>((_e1827 | 2139095040u));
-                                        phi_3914_ = f32();
-                                        phi_3915_ = true;
+                                    let _e1846 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1837)), 32u, _e1841) - 8u);
+                                    let _e1849 = (_e1837 << bitcast<u32>((_e1846 & 31u)));
+                                    let _e1851 = ((_e1809 + select(0i, 1i, (_e1808 == 0i))) - bitcast<i32>(_e1846));
+                                    if (_e1851 >= 255i) {
+                                        phi_3917_ = bitcast<f32>((_e1830 | 2139095040u));
+                                        phi_3918_ = f32();
+                                        phi_3919_ = true;
                                     } else {
-                                        let _e1850 = (_e1848 > 0i);
-                                        if _e1850 {
-                                            phi_3907_ = bitcast<f32>(((_e1827 | (bitcast<u32>(_e1848) << bitcast<u32>(23i))) | (_e1846 & 8388607u)));
-                                            phi_3908_ = f32();
+                                        let _e1853 = (_e1851 > 0i);
+                                        if _e1853 {
+                                            phi_3911_ = bitcast<f32>(((_e1830 | (bitcast<u32>(_e1851) << bitcast<u32>(23i))) | (_e1849 & 8388607u)));
+                                            phi_3912_ = f32();
                                         } else {
-                                            if (_e1848 < -24i) {
-                                                phi_3873_ = 26u;
+                                            if (_e1851 < -24i) {
+                                                phi_3877_ = 26u;
                                             } else {
-                                                phi_3873_ = bitcast<u32>((1i - _e1848));
+                                                phi_3877_ = bitcast<u32>((1i - _e1851));
                                             }
-                                            let _e1855 = phi_3873_;
-                                            let _e1856 = (_e1855 & 31u);
-                                            let _e1858 = (_e1846 >> bitcast<u32>(_e1856));
-                                            let _e1862 = (_e1846 & ((1u << bitcast<u32>(_e1856)) - 1u));
-                                            let _e1866 = (1u << bitcast<u32>(((_e1855 - 1u) & 31u)));
-                                            if (_e1862 > _e1866) {
-                                                phi_3894_ = true;
+                                            let _e1858 = phi_3877_;
+                                            let _e1859 = (_e1858 & 31u);
+                                            let _e1861 = (_e1849 >> bitcast<u32>(_e1859));
+                                            let _e1865 = (_e1849 & ((1u << bitcast<u32>(_e1859)) - 1u));
+                                            let _e1869 = (1u << bitcast<u32>(((_e1858 - 1u) & 31u)));
+                                            if (_e1865 > _e1869) {
+                                                phi_3898_ = true;
                                             } else {
-                                                if (_e1862 == _e1866) {
-                                                    phi_3891_ = ((_e1858 & 1u) == 1u);
+                                                if (_e1865 == _e1869) {
+                                                    phi_3895_ = ((_e1861 & 1u) == 1u);
                                                 } else {
-                                                    phi_3891_ = false;
+                                                    phi_3895_ = false;
                                                 }
-                                                let _e1872 = phi_3891_;
-                                                phi_3894_ = _e1872;
+                                                let _e1875 = phi_3895_;
+                                                phi_3898_ = _e1875;
                                             }
-                                            let _e1874 = phi_3894_;
-                                            phi_3907_ = f32();
-                                            phi_3908_ = bitcast<f32>((_e1827 | (_e1858 + select(0u, 1u, _e1874))));
+                                            let _e1877 = phi_3898_;
+                                            phi_3911_ = f32();
+                                            phi_3912_ = bitcast<f32>((_e1830 | (_e1861 + select(0u, 1u, _e1877))));
                                         }
-                                        let _e1887 = phi_3907_;
-                                        let _e1889 = phi_3908_;
-                                        phi_3913_ = _e1887;
-                                        phi_3914_ = _e1889;
-                                        phi_3915_ = _e1850;
+                                        let _e1890 = phi_3911_;
+                                        let _e1892 = phi_3912_;
+                                        phi_3917_ = _e1890;
+                                        phi_3918_ = _e1892;
+                                        phi_3919_ = _e1853;
                                     }
-                                    let _e1893 = phi_3913_;
-                                    let _e1895 = phi_3914_;
-                                    let _e1897 = phi_3915_;
-                                    phi_3923_ = select(_e1895, _e1893, _e1897);
+                                    let _e1896 = phi_3917_;
+                                    let _e1898 = phi_3918_;
+                                    let _e1900 = phi_3919_;
+                                    phi_3927_ = select(_e1898, _e1896, _e1900);
                                 }
-                                let _e1901 = phi_3923_;
-                                phi_3667_ = _e1901;
+                                let _e1904 = phi_3927_;
+                                phi_3671_ = _e1904;
                             } else {
-                                phi_3667_ = _e1824;
+                                phi_3671_ = _e1827;
                             }
-                            let _e1903 = phi_3667_;
-                            phi_3668_ = _e1903;
+                            let _e1906 = phi_3671_;
+                            phi_3672_ = _e1906;
                         }
-                        let _e1905 = phi_3668_;
-                        let _e1906 = bitcast<u32>(_e1905);
-                        if ((_e1906 & 2147483647u) >= 2139095040u) {
-                            phi_3680_ = bitcast<f32>(((_e1906 & 2147483648u) | 2139095039u));
+                        let _e1908 = phi_3672_;
+                        let _e1909 = bitcast<u32>(_e1908);
+                        if ((_e1909 & 2147483647u) >= 2139095040u) {
+                            phi_3684_ = bitcast<f32>(((_e1909 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3680_ = _e1905;
+                            phi_3684_ = _e1908;
                         }
-                        let _e1913 = phi_3680_;
-                        phi_3685_ = type_25(_e1913, _e1795.member.member_1, _e1795.member.member_2, _e1795.member.member_3);
+                        let _e1916 = phi_3684_;
+                        phi_3689_ = type_25(_e1916, _e1798.member.member_1, _e1798.member.member_2, _e1798.member.member_3);
                     } else {
-                        phi_3685_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3689_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1918 = phi_3685_;
+                    let _e1921 = phi_3689_;
                     if _e152 {
                     } else {
                         break;
                     }
-                    global_6.member[_e150] = _e1918;
+                    global_6.member[_e150] = _e1921;
                 }
             }
             break;

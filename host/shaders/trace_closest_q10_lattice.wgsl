@@ -122,36 +122,16 @@ fn function_() {
     var phi_1068_: u32;
     var phi_1076_: f32;
     var phi_1077_: f32;
-    var phi_4644_: bool;
+    var phi_4648_: bool;
     var phi_1173_: type_37;
-    var phi_1176_: bool;
-    var phi_1178_: u32;
+    var phi_1176_: u32;
+    var phi_1178_: bool;
     var phi_1180_: u32;
     var phi_1182_: type_49;
     var phi_1193_: bool;
     var phi_1279_: bool;
     var phi_1280_: u32;
     var phi_1281_: type_49;
-    var phi_3504_: u32;
-    var phi_3510_: u32;
-    var phi_3764_: u32;
-    var phi_3765_: u32;
-    var phi_3775_: u32;
-    var phi_3777_: u32;
-    var phi_3778_: bool;
-    var phi_3798_: u32;
-    var phi_3799_: u32;
-    var phi_3803_: type_50;
-    var phi_4165_: type_49;
-    var phi_4242_: type_49;
-    var phi_4243_: u32;
-    var phi_4244_: type_49;
-    var phi_4246_: u32;
-    var phi_4247_: type_49;
-    var phi_4248_: bool;
-    var phi_4257_: type_49;
-    var phi_4262_: bool;
-    var phi_4264_: type_49;
     var phi_1300_: type_37;
     var phi_1303_: type_8;
     var phi_1304_: type_8;
@@ -231,51 +211,72 @@ fn function_() {
     var phi_2996_: type_37;
     var phi_2997_: type_37;
     var phi_1301_: type_37;
-    var phi_4638_: bool;
-    var phi_4849_: bool;
-    var phi_4268_: type_37;
-    var phi_4269_: bool;
-    var phi_4270_: u32;
-    var phi_4271_: type_49;
-    var phi_4848_: bool;
-    var phi_4272_: type_37;
-    var phi_4273_: bool;
-    var phi_4274_: u32;
-    var phi_4275_: u32;
-    var phi_4276_: type_49;
-    var phi_4847_: bool;
-    var phi_4277_: type_37;
+    var phi_4642_: bool;
+    var phi_4940_: bool;
+    var phi_2998_: type_37;
+    var phi_3500_: u32;
+    var phi_3506_: u32;
+    var phi_3760_: u32;
+    var phi_3761_: u32;
+    var phi_3771_: u32;
+    var phi_3773_: u32;
+    var phi_3774_: bool;
+    var phi_3794_: u32;
+    var phi_3795_: u32;
+    var phi_3799_: type_50;
+    var phi_4161_: type_49;
+    var phi_4237_: type_49;
+    var phi_4238_: u32;
+    var phi_4239_: type_49;
+    var phi_4241_: u32;
+    var phi_4242_: type_49;
+    var phi_4243_: bool;
+    var phi_4252_: type_49;
+    var phi_4257_: bool;
+    var phi_4259_: type_49;
+    var phi_4263_: bool;
+    var phi_4264_: u32;
+    var phi_4265_: type_49;
+    var phi_4275_: type_49;
+    var phi_4852_: bool;
+    var phi_4276_: type_37;
+    var phi_4277_: u32;
     var phi_4278_: bool;
     var phi_4279_: u32;
-    var phi_4280_: u32;
-    var phi_4281_: type_49;
-    var phi_4846_: bool;
+    var phi_4280_: type_49;
+    var phi_4851_: bool;
+    var phi_4281_: type_37;
+    var phi_4282_: u32;
+    var phi_4283_: bool;
+    var phi_4284_: u32;
+    var phi_4285_: type_49;
+    var phi_4850_: bool;
     var phi_1174_: type_37;
-    var phi_1177_: bool;
-    var phi_1179_: u32;
+    var phi_1177_: u32;
+    var phi_1179_: bool;
     var phi_1181_: u32;
     var phi_1183_: type_49;
-    var phi_4282_: bool;
-    var phi_4845_: bool;
+    var phi_4286_: bool;
+    var phi_4849_: bool;
     var local_10: type_37;
-    var phi_4320_: f32;
-    var phi_4322_: f32;
-    var phi_4323_: bool;
     var phi_4324_: f32;
-    var phi_4325_: bool;
-    var phi_4546_: u32;
-    var phi_4564_: bool;
-    var phi_4567_: bool;
-    var phi_4580_: f32;
-    var phi_4581_: f32;
-    var phi_4586_: f32;
-    var phi_4587_: f32;
-    var phi_4588_: bool;
-    var phi_4596_: f32;
-    var phi_4340_: f32;
-    var phi_4341_: f32;
-    var phi_4353_: f32;
-    var phi_4358_: type_24;
+    var phi_4326_: f32;
+    var phi_4327_: bool;
+    var phi_4328_: f32;
+    var phi_4329_: bool;
+    var phi_4550_: u32;
+    var phi_4568_: bool;
+    var phi_4571_: bool;
+    var phi_4584_: f32;
+    var phi_4585_: f32;
+    var phi_4590_: f32;
+    var phi_4591_: f32;
+    var phi_4592_: bool;
+    var phi_4600_: f32;
+    var phi_4344_: f32;
+    var phi_4345_: f32;
+    var phi_4357_: f32;
+    var phi_4362_: type_24;
     var local_11: type_37;
 
     switch bitcast<i32>(0u) {
@@ -640,31 +641,31 @@ fn function_() {
                         break;
                     }
                     let _e657 = local[_e641];
-                    phi_4644_ = false;
+                    phi_4648_ = false;
                     phi_1173_ = type_37(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e623);
-                    phi_1176_ = (_e625 <= _e623);
-                    phi_1178_ = ((3u * _e99) + 1u);
+                    phi_1176_ = ((3u * _e99) + 1u);
+                    phi_1178_ = (_e625 <= _e623);
                     phi_1180_ = 0u;
                     phi_1182_ = type_49(type_32(vec4<f32>((f32(_e632) * _e150), (f32(_e638) * _e150), (f32(_e644) * _e150), 0f), vec4<f32>((f32(_e649) * _e150), (f32(_e653) * _e150), (f32(_e657) * _e150), 0f)), select(0u, 2147483648u, (_e99 == 0u)));
                     loop {
-                        let _e667 = phi_4644_;
+                        let _e667 = phi_4648_;
                         let _e669 = phi_1173_;
                         let _e671 = phi_1176_;
                         let _e673 = phi_1178_;
                         let _e675 = phi_1180_;
                         let _e677 = phi_1182_;
                         local_10 = _e669;
-                        if _e671 {
+                        if _e673 {
                             phi_1193_ = true;
                         } else {
                             phi_1193_ = (_e675 > 0u);
                         }
                         let _e680 = phi_1193_;
                         if _e680 {
-                            let _e681 = (_e673 > 0u);
+                            let _e681 = (_e671 > 0u);
                             if _e681 {
-                                if _e671 {
-                                    phi_1279_ = _e671;
+                                if _e673 {
+                                    phi_1279_ = _e673;
                                     phi_1280_ = _e675;
                                     phi_1281_ = _e677;
                                 } else {
@@ -673,49 +674,49 @@ fn function_() {
                                     let _e684 = (_e683 < 128u);
                                     if _e684 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e686 = local_7[_e683];
                                     if _e684 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e688 = local_6[_e683];
                                     if _e684 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e690 = local_5[_e683];
                                     if _e684 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e692 = local_4[_e683];
                                     if _e684 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e694 = local_3[_e683];
                                     if _e684 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e696 = local_2[_e683];
                                     if _e684 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e701 = local_8[_e683];
                                     if _e684 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e704 = local_9[_e683];
@@ -727,38 +728,39 @@ fn function_() {
                                 let _e710 = phi_1280_;
                                 let _e712 = phi_1281_;
                                 if _e708 {
+                                    let _e716 = ((_e712.member_1 & 2147483648u) != 0u);
                                     let _e717 = (_e712.member_1 & 268435455u);
-                                    if ((_e712.member_1 & 2147483648u) != 0u) {
+                                    if _e716 {
                                         phi_1300_ = _e669;
                                         phi_1303_ = type_8(0u, ((_e712.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1183 = phi_1300_;
-                                            let _e1185 = phi_1303_;
-                                            local_11 = _e1183;
-                                            if (_e1185.member < _e1185.member_1) {
-                                                phi_1304_ = type_8((_e1185.member + 1u), _e1185.member_1);
-                                                phi_1326_ = type_8(1u, _e1185.member);
+                                            let _e724 = phi_1300_;
+                                            let _e726 = phi_1303_;
+                                            local_11 = _e724;
+                                            if (_e726.member < _e726.member_1) {
+                                                phi_1304_ = type_8((_e726.member + 1u), _e726.member_1);
+                                                phi_1326_ = type_8(1u, _e726.member);
                                             } else {
-                                                phi_1304_ = _e1185;
+                                                phi_1304_ = _e726;
                                                 phi_1326_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1198 = phi_1304_;
-                                            let _e1200 = phi_1326_;
-                                            let _e1204 = (bitcast<i32>(_e1200.member) != 0i);
-                                            if _e1204 {
-                                                let _e1209 = (_e712.member.member_1.x - _e712.member.member.x);
-                                                let _e1212 = (_e712.member.member_1.y - _e712.member.member.y);
-                                                let _e1215 = (_e712.member.member_1.z - _e712.member.member.z);
-                                                let _e1217 = select(_e1212, _e1209, (_e1209 > _e1212));
-                                                let _e1219 = select(_e1215, _e1217, (_e1217 > _e1215));
-                                                let _e1221 = (_e1219 < (1024f * _e150));
-                                                if _e1221 {
+                                            let _e739 = phi_1304_;
+                                            let _e741 = phi_1326_;
+                                            let _e745 = (bitcast<i32>(_e741.member) != 0i);
+                                            if _e745 {
+                                                let _e750 = (_e712.member.member_1.x - _e712.member.member.x);
+                                                let _e753 = (_e712.member.member_1.y - _e712.member.member.y);
+                                                let _e756 = (_e712.member.member_1.z - _e712.member.member.z);
+                                                let _e758 = select(_e753, _e750, (_e750 > _e753));
+                                                let _e760 = select(_e756, _e758, (_e758 > _e756));
+                                                let _e762 = (_e760 < (1024f * _e150));
+                                                if _e762 {
                                                     phi_1367_ = 0u;
                                                 } else {
-                                                    phi_1367_ = select(2u, 1u, (_e1219 < (2097152f * _e150)));
+                                                    phi_1367_ = select(2u, 1u, (_e760 < (2097152f * _e150)));
                                                 }
-                                                let _e1226 = phi_1367_;
-                                                switch bitcast<i32>(_e1226) {
+                                                let _e767 = phi_1367_;
+                                                switch bitcast<i32>(_e767) {
                                                     case 0: {
                                                         phi_1373_ = 1u;
                                                         break;
@@ -776,8 +778,8 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1229 = phi_1373_;
-                                                switch bitcast<i32>(_e1226) {
+                                                let _e770 = phi_1373_;
+                                                switch bitcast<i32>(_e767) {
                                                     case 0: {
                                                         phi_1383_ = 1u;
                                                         break;
@@ -795,28 +797,28 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1236 = phi_1383_;
-                                                let _e1238 = ((_e717 + (_e1200.member_1 * ((3u * _e1229) + 1u))) + (3u * _e1236));
-                                                let _e1239 = (_e1238 < _e102);
-                                                if _e1239 {
-                                                    if _e1239 {
+                                                let _e777 = phi_1383_;
+                                                let _e779 = ((_e717 + (_e741.member_1 * ((3u * _e770) + 1u))) + (3u * _e777));
+                                                let _e780 = (_e779 < _e102);
+                                                if _e780 {
+                                                    if _e780 {
                                                     } else {
-                                                        phi_4638_ = true;
+                                                        phi_4642_ = true;
                                                         break;
                                                     }
-                                                    let _e1241 = global_5.member[_e1238];
-                                                    phi_1399_ = _e1241;
+                                                    let _e782 = global_5.member[_e779];
+                                                    phi_1399_ = _e782;
                                                 } else {
                                                     phi_1399_ = 4294967295u;
                                                 }
-                                                let _e1243 = phi_1399_;
-                                                if _e1221 {
+                                                let _e784 = phi_1399_;
+                                                if _e762 {
                                                     phi_1432_ = 0u;
                                                 } else {
-                                                    phi_1432_ = select(2u, 1u, (_e1219 < (2097152f * _e150)));
+                                                    phi_1432_ = select(2u, 1u, (_e760 < (2097152f * _e150)));
                                                 }
-                                                let _e1248 = phi_1432_;
-                                                switch bitcast<i32>(_e1248) {
+                                                let _e789 = phi_1432_;
+                                                switch bitcast<i32>(_e789) {
                                                     case 0: {
                                                         phi_1438_ = 1u;
                                                         break;
@@ -834,331 +836,331 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1251 = phi_1438_;
-                                                let _e1255 = (_e717 + (_e1200.member_1 * ((3u * _e1251) + 1u)));
-                                                switch bitcast<i32>(_e1248) {
+                                                let _e792 = phi_1438_;
+                                                let _e796 = (_e717 + (_e741.member_1 * ((3u * _e792) + 1u)));
+                                                switch bitcast<i32>(_e789) {
                                                     case 0: {
-                                                        let _e1530 = (_e1255 < _e102);
-                                                        if _e1530 {
-                                                            if _e1530 {
+                                                        let _e1071 = (_e796 < _e102);
+                                                        if _e1071 {
+                                                            if _e1071 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1532 = global_5.member[_e1255];
-                                                            phi_1465_ = _e1532;
+                                                            let _e1073 = global_5.member[_e796];
+                                                            phi_1465_ = _e1073;
                                                         } else {
                                                             phi_1465_ = 0u;
                                                         }
-                                                        let _e1534 = phi_1465_;
-                                                        let _e1536 = ((10u * _e270) & 31u);
-                                                        let _e1546 = ((10u * _e269) & 31u);
-                                                        let _e1556 = ((10u * _e271) & 31u);
-                                                        let _e1566 = (_e1255 + 1u);
-                                                        let _e1567 = (_e1566 < _e102);
-                                                        if _e1567 {
-                                                            if _e1567 {
+                                                        let _e1075 = phi_1465_;
+                                                        let _e1077 = ((10u * _e270) & 31u);
+                                                        let _e1087 = ((10u * _e269) & 31u);
+                                                        let _e1097 = ((10u * _e271) & 31u);
+                                                        let _e1107 = (_e796 + 1u);
+                                                        let _e1108 = (_e1107 < _e102);
+                                                        if _e1108 {
+                                                            if _e1108 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1569 = global_5.member[_e1566];
-                                                            phi_1514_ = _e1569;
+                                                            let _e1110 = global_5.member[_e1107];
+                                                            phi_1514_ = _e1110;
                                                         } else {
                                                             phi_1514_ = 0u;
                                                         }
-                                                        let _e1571 = phi_1514_;
-                                                        let _e1597 = (_e1255 + 2u);
-                                                        let _e1598 = (_e1597 < _e102);
-                                                        if _e1598 {
-                                                            if _e1598 {
+                                                        let _e1112 = phi_1514_;
+                                                        let _e1138 = (_e796 + 2u);
+                                                        let _e1139 = (_e1138 < _e102);
+                                                        if _e1139 {
+                                                            if _e1139 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1600 = global_5.member[_e1597];
-                                                            phi_1563_ = _e1600;
+                                                            let _e1141 = global_5.member[_e1138];
+                                                            phi_1563_ = _e1141;
                                                         } else {
                                                             phi_1563_ = 0u;
                                                         }
-                                                        let _e1602 = phi_1563_;
-                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | ((_e1534 >> bitcast<u32>(_e1536)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | ((_e1534 >> bitcast<u32>(_e1546)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | ((_e1534 >> bitcast<u32>(_e1556)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | ((_e1571 >> bitcast<u32>(_e1536)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | ((_e1571 >> bitcast<u32>(_e1546)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | ((_e1571 >> bitcast<u32>(_e1556)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | ((_e1602 >> bitcast<u32>(_e1536)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | ((_e1602 >> bitcast<u32>(_e1546)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | ((_e1602 >> bitcast<u32>(_e1556)) & 1023u))) - 8388608f) * _e150))));
+                                                        let _e1143 = phi_1563_;
+                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1344 = (_e1255 < _e102);
-                                                        if _e1344 {
-                                                            if _e1344 {
+                                                        let _e885 = (_e796 < _e102);
+                                                        if _e885 {
+                                                            if _e885 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1346 = global_5.member[_e1255];
-                                                            phi_1612_ = _e1346;
+                                                            let _e887 = global_5.member[_e796];
+                                                            phi_1612_ = _e887;
                                                         } else {
                                                             phi_1612_ = 0u;
                                                         }
-                                                        let _e1348 = phi_1612_;
-                                                        let _e1349 = (_e1255 + 1u);
-                                                        let _e1350 = (_e1349 < _e102);
-                                                        if _e1350 {
-                                                            if _e1350 {
+                                                        let _e889 = phi_1612_;
+                                                        let _e890 = (_e796 + 1u);
+                                                        let _e891 = (_e890 < _e102);
+                                                        if _e891 {
+                                                            if _e891 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1352 = global_5.member[_e1349];
-                                                            phi_1627_ = _e1352;
+                                                            let _e893 = global_5.member[_e890];
+                                                            phi_1627_ = _e893;
                                                         } else {
                                                             phi_1627_ = 0u;
                                                         }
-                                                        let _e1354 = phi_1627_;
-                                                        let _e1355 = (_e270 == 1u);
-                                                        if _e1355 {
-                                                            phi_1637_ = ((_e1348 >> bitcast<u32>(21i)) | (_e1354 << bitcast<u32>(11i)));
+                                                        let _e895 = phi_1627_;
+                                                        let _e896 = (_e270 == 1u);
+                                                        if _e896 {
+                                                            phi_1637_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1637_ = (_e1354 >> bitcast<u32>(10i));
+                                                            phi_1637_ = (_e895 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1364 = phi_1637_;
-                                                        let _e1372 = (_e269 == 1u);
-                                                        if _e1372 {
-                                                            phi_1658_ = ((_e1348 >> bitcast<u32>(21i)) | (_e1354 << bitcast<u32>(11i)));
+                                                        let _e905 = phi_1637_;
+                                                        let _e913 = (_e269 == 1u);
+                                                        if _e913 {
+                                                            phi_1658_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1658_ = (_e1354 >> bitcast<u32>(10i));
+                                                            phi_1658_ = (_e895 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1381 = phi_1658_;
-                                                        let _e1389 = (_e271 == 1u);
-                                                        if _e1389 {
-                                                            phi_1679_ = ((_e1348 >> bitcast<u32>(21i)) | (_e1354 << bitcast<u32>(11i)));
+                                                        let _e922 = phi_1658_;
+                                                        let _e930 = (_e271 == 1u);
+                                                        if _e930 {
+                                                            phi_1679_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1679_ = (_e1354 >> bitcast<u32>(10i));
+                                                            phi_1679_ = (_e895 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1398 = phi_1679_;
-                                                        let _e1407 = (_e1255 + 2u);
-                                                        let _e1408 = (_e1407 < _e102);
-                                                        if _e1408 {
-                                                            if _e1408 {
+                                                        let _e939 = phi_1679_;
+                                                        let _e948 = (_e796 + 2u);
+                                                        let _e949 = (_e948 < _e102);
+                                                        if _e949 {
+                                                            if _e949 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1410 = global_5.member[_e1407];
-                                                            phi_1709_ = _e1410;
+                                                            let _e951 = global_5.member[_e948];
+                                                            phi_1709_ = _e951;
                                                         } else {
                                                             phi_1709_ = 0u;
                                                         }
-                                                        let _e1412 = phi_1709_;
-                                                        let _e1413 = (_e1255 + 3u);
-                                                        let _e1414 = (_e1413 < _e102);
-                                                        if _e1414 {
-                                                            if _e1414 {
+                                                        let _e953 = phi_1709_;
+                                                        let _e954 = (_e796 + 3u);
+                                                        let _e955 = (_e954 < _e102);
+                                                        if _e955 {
+                                                            if _e955 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1416 = global_5.member[_e1413];
-                                                            phi_1724_ = _e1416;
+                                                            let _e957 = global_5.member[_e954];
+                                                            phi_1724_ = _e957;
                                                         } else {
                                                             phi_1724_ = 0u;
                                                         }
-                                                        let _e1418 = phi_1724_;
-                                                        if _e1355 {
-                                                            phi_1734_ = ((_e1412 >> bitcast<u32>(21i)) | (_e1418 << bitcast<u32>(11i)));
+                                                        let _e959 = phi_1724_;
+                                                        if _e896 {
+                                                            phi_1734_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1734_ = (_e1418 >> bitcast<u32>(10i));
+                                                            phi_1734_ = (_e959 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1427 = phi_1734_;
-                                                        if _e1372 {
-                                                            phi_1755_ = ((_e1412 >> bitcast<u32>(21i)) | (_e1418 << bitcast<u32>(11i)));
+                                                        let _e968 = phi_1734_;
+                                                        if _e913 {
+                                                            phi_1755_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1755_ = (_e1418 >> bitcast<u32>(10i));
+                                                            phi_1755_ = (_e959 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1443 = phi_1755_;
-                                                        if _e1389 {
-                                                            phi_1776_ = ((_e1412 >> bitcast<u32>(21i)) | (_e1418 << bitcast<u32>(11i)));
+                                                        let _e984 = phi_1755_;
+                                                        if _e930 {
+                                                            phi_1776_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1776_ = (_e1418 >> bitcast<u32>(10i));
+                                                            phi_1776_ = (_e959 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1459 = phi_1776_;
-                                                        let _e1468 = (_e1255 + 4u);
-                                                        let _e1469 = (_e1468 < _e102);
-                                                        if _e1469 {
-                                                            if _e1469 {
+                                                        let _e1000 = phi_1776_;
+                                                        let _e1009 = (_e796 + 4u);
+                                                        let _e1010 = (_e1009 < _e102);
+                                                        if _e1010 {
+                                                            if _e1010 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1471 = global_5.member[_e1468];
-                                                            phi_1806_ = _e1471;
+                                                            let _e1012 = global_5.member[_e1009];
+                                                            phi_1806_ = _e1012;
                                                         } else {
                                                             phi_1806_ = 0u;
                                                         }
-                                                        let _e1473 = phi_1806_;
-                                                        let _e1474 = (_e1255 + 5u);
-                                                        let _e1475 = (_e1474 < _e102);
-                                                        if _e1475 {
-                                                            if _e1475 {
+                                                        let _e1014 = phi_1806_;
+                                                        let _e1015 = (_e796 + 5u);
+                                                        let _e1016 = (_e1015 < _e102);
+                                                        if _e1016 {
+                                                            if _e1016 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1477 = global_5.member[_e1474];
-                                                            phi_1821_ = _e1477;
+                                                            let _e1018 = global_5.member[_e1015];
+                                                            phi_1821_ = _e1018;
                                                         } else {
                                                             phi_1821_ = 0u;
                                                         }
-                                                        let _e1479 = phi_1821_;
-                                                        if _e1355 {
-                                                            phi_1831_ = ((_e1473 >> bitcast<u32>(21i)) | (_e1479 << bitcast<u32>(11i)));
+                                                        let _e1020 = phi_1821_;
+                                                        if _e896 {
+                                                            phi_1831_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1831_ = (_e1479 >> bitcast<u32>(10i));
+                                                            phi_1831_ = (_e1020 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1488 = phi_1831_;
-                                                        if _e1372 {
-                                                            phi_1852_ = ((_e1473 >> bitcast<u32>(21i)) | (_e1479 << bitcast<u32>(11i)));
+                                                        let _e1029 = phi_1831_;
+                                                        if _e913 {
+                                                            phi_1852_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1852_ = (_e1479 >> bitcast<u32>(10i));
+                                                            phi_1852_ = (_e1020 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1504 = phi_1852_;
-                                                        if _e1389 {
-                                                            phi_1873_ = ((_e1473 >> bitcast<u32>(21i)) | (_e1479 << bitcast<u32>(11i)));
+                                                        let _e1045 = phi_1852_;
+                                                        if _e930 {
+                                                            phi_1873_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1873_ = (_e1479 >> bitcast<u32>(10i));
+                                                            phi_1873_ = (_e1020 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1520 = phi_1873_;
-                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1364, _e1348, _e309) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1381, _e1348, _e378) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1398, _e1348, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1427, _e1412, _e309) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1443, _e1412, _e378) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1459, _e1412, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1488, _e1473, _e309) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1504, _e1473, _e378) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1520, _e1473, _e446) & 2097151u))) - 8388608f) * _e150))));
+                                                        let _e1061 = phi_1873_;
+                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | (select(_e905, _e889, _e309) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | (select(_e922, _e889, _e378) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | (select(_e939, _e889, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | (select(_e968, _e953, _e309) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | (select(_e984, _e953, _e378) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1000, _e953, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1029, _e1014, _e309) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1045, _e1014, _e378) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1061, _e1014, _e446) & 2097151u))) - 8388608f) * _e150))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1257 = (_e1255 + _e270);
-                                                        let _e1258 = (_e1257 < _e102);
-                                                        if _e1258 {
-                                                            if _e1258 {
+                                                        let _e798 = (_e796 + _e270);
+                                                        let _e799 = (_e798 < _e102);
+                                                        if _e799 {
+                                                            if _e799 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1260 = global_5.member[_e1257];
-                                                            phi_1904_ = _e1260;
+                                                            let _e801 = global_5.member[_e798];
+                                                            phi_1904_ = _e801;
                                                         } else {
                                                             phi_1904_ = 0u;
                                                         }
-                                                        let _e1262 = phi_1904_;
-                                                        let _e1266 = (_e1255 + _e269);
-                                                        let _e1267 = (_e1266 < _e102);
-                                                        if _e1267 {
-                                                            if _e1267 {
+                                                        let _e803 = phi_1904_;
+                                                        let _e807 = (_e796 + _e269);
+                                                        let _e808 = (_e807 < _e102);
+                                                        if _e808 {
+                                                            if _e808 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1269 = global_5.member[_e1266];
-                                                            phi_1922_ = _e1269;
+                                                            let _e810 = global_5.member[_e807];
+                                                            phi_1922_ = _e810;
                                                         } else {
                                                             phi_1922_ = 0u;
                                                         }
-                                                        let _e1271 = phi_1922_;
-                                                        let _e1275 = (_e1255 + _e271);
-                                                        let _e1276 = (_e1275 < _e102);
-                                                        if _e1276 {
-                                                            if _e1276 {
+                                                        let _e812 = phi_1922_;
+                                                        let _e816 = (_e796 + _e271);
+                                                        let _e817 = (_e816 < _e102);
+                                                        if _e817 {
+                                                            if _e817 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1278 = global_5.member[_e1275];
-                                                            phi_1940_ = _e1278;
+                                                            let _e819 = global_5.member[_e816];
+                                                            phi_1940_ = _e819;
                                                         } else {
                                                             phi_1940_ = 0u;
                                                         }
-                                                        let _e1280 = phi_1940_;
-                                                        let _e1285 = (_e1255 + 3u);
-                                                        let _e1286 = (_e1285 + _e270);
-                                                        let _e1287 = (_e1286 < _e102);
-                                                        if _e1287 {
-                                                            if _e1287 {
+                                                        let _e821 = phi_1940_;
+                                                        let _e826 = (_e796 + 3u);
+                                                        let _e827 = (_e826 + _e270);
+                                                        let _e828 = (_e827 < _e102);
+                                                        if _e828 {
+                                                            if _e828 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1289 = global_5.member[_e1286];
-                                                            phi_1963_ = _e1289;
+                                                            let _e830 = global_5.member[_e827];
+                                                            phi_1963_ = _e830;
                                                         } else {
                                                             phi_1963_ = 0u;
                                                         }
-                                                        let _e1291 = phi_1963_;
-                                                        let _e1295 = (_e1285 + _e269);
-                                                        let _e1296 = (_e1295 < _e102);
-                                                        if _e1296 {
-                                                            if _e1296 {
+                                                        let _e832 = phi_1963_;
+                                                        let _e836 = (_e826 + _e269);
+                                                        let _e837 = (_e836 < _e102);
+                                                        if _e837 {
+                                                            if _e837 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1298 = global_5.member[_e1295];
-                                                            phi_1981_ = _e1298;
+                                                            let _e839 = global_5.member[_e836];
+                                                            phi_1981_ = _e839;
                                                         } else {
                                                             phi_1981_ = 0u;
                                                         }
-                                                        let _e1300 = phi_1981_;
-                                                        let _e1304 = (_e1285 + _e271);
-                                                        let _e1305 = (_e1304 < _e102);
-                                                        if _e1305 {
-                                                            if _e1305 {
+                                                        let _e841 = phi_1981_;
+                                                        let _e845 = (_e826 + _e271);
+                                                        let _e846 = (_e845 < _e102);
+                                                        if _e846 {
+                                                            if _e846 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1307 = global_5.member[_e1304];
-                                                            phi_1999_ = _e1307;
+                                                            let _e848 = global_5.member[_e845];
+                                                            phi_1999_ = _e848;
                                                         } else {
                                                             phi_1999_ = 0u;
                                                         }
-                                                        let _e1309 = phi_1999_;
-                                                        let _e1314 = (_e1255 + 6u);
-                                                        let _e1315 = (_e1314 + _e270);
-                                                        let _e1316 = (_e1315 < _e102);
-                                                        if _e1316 {
-                                                            if _e1316 {
+                                                        let _e850 = phi_1999_;
+                                                        let _e855 = (_e796 + 6u);
+                                                        let _e856 = (_e855 + _e270);
+                                                        let _e857 = (_e856 < _e102);
+                                                        if _e857 {
+                                                            if _e857 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1318 = global_5.member[_e1315];
-                                                            phi_2022_ = _e1318;
+                                                            let _e859 = global_5.member[_e856];
+                                                            phi_2022_ = _e859;
                                                         } else {
                                                             phi_2022_ = 0u;
                                                         }
-                                                        let _e1320 = phi_2022_;
-                                                        let _e1324 = (_e1314 + _e269);
-                                                        let _e1325 = (_e1324 < _e102);
-                                                        if _e1325 {
-                                                            if _e1325 {
+                                                        let _e861 = phi_2022_;
+                                                        let _e865 = (_e855 + _e269);
+                                                        let _e866 = (_e865 < _e102);
+                                                        if _e866 {
+                                                            if _e866 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1327 = global_5.member[_e1324];
-                                                            phi_2040_ = _e1327;
+                                                            let _e868 = global_5.member[_e865];
+                                                            phi_2040_ = _e868;
                                                         } else {
                                                             phi_2040_ = 0u;
                                                         }
-                                                        let _e1329 = phi_2040_;
-                                                        let _e1333 = (_e1314 + _e271);
-                                                        let _e1334 = (_e1333 < _e102);
-                                                        if _e1334 {
-                                                            if _e1334 {
+                                                        let _e870 = phi_2040_;
+                                                        let _e874 = (_e855 + _e271);
+                                                        let _e875 = (_e874 < _e102);
+                                                        if _e875 {
+                                                            if _e875 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1336 = global_5.member[_e1333];
-                                                            phi_2058_ = _e1336;
+                                                            let _e877 = global_5.member[_e874];
+                                                            phi_2058_ = _e877;
                                                         } else {
                                                             phi_2058_ = 0u;
                                                         }
-                                                        let _e1338 = phi_2058_;
-                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1262)) * _e150), (f32(bitcast<i32>(_e1271)) * _e150), (f32(bitcast<i32>(_e1280)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e1291)) * _e150), (f32(bitcast<i32>(_e1300)) * _e150), (f32(bitcast<i32>(_e1309)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e1320)) * _e150), (f32(bitcast<i32>(_e1329)) * _e150), (f32(bitcast<i32>(_e1338)) * _e150)));
+                                                        let _e879 = phi_2058_;
+                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e803)) * _e150), (f32(bitcast<i32>(_e812)) * _e150), (f32(bitcast<i32>(_e821)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e832)) * _e150), (f32(bitcast<i32>(_e841)) * _e150), (f32(bitcast<i32>(_e850)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e861)) * _e150), (f32(bitcast<i32>(_e870)) * _e150), (f32(bitcast<i32>(_e879)) * _e150)));
                                                         break;
                                                     }
                                                     default: {
@@ -1166,842 +1168,851 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1630 = phi_2064_;
-                                                let _e1638 = (_e1630[0][2] - _e471);
-                                                let _e1641 = (((_e1630[0][0] - _e334) * _e510) - (_e1638 * _e374));
-                                                let _e1644 = (((_e1630[0][1] - _e403) * _e510) - (_e1638 * _e442));
-                                                let _e1651 = (_e1630[1][2] - _e471);
-                                                let _e1654 = (((_e1630[1][0] - _e334) * _e510) - (_e1651 * _e374));
-                                                let _e1657 = (((_e1630[1][1] - _e403) * _e510) - (_e1651 * _e442));
-                                                let _e1664 = (_e1630[2][2] - _e471);
-                                                let _e1667 = (((_e1630[2][0] - _e334) * _e510) - (_e1664 * _e374));
-                                                let _e1670 = (((_e1630[2][1] - _e403) * _e510) - (_e1664 * _e442));
-                                                let _e1671 = (_e1667 * _e1657);
-                                                let _e1672 = (_e1670 * _e1654);
-                                                let _e1673 = (_e1641 * _e1670);
-                                                let _e1674 = (_e1644 * _e1667);
-                                                let _e1675 = (_e1654 * _e1644);
-                                                let _e1676 = (_e1657 * _e1641);
-                                                let _e1681 = (((_e1671 >= _e1672) && (_e1673 >= _e1674)) && (_e1675 >= _e1676));
-                                                if (_e1681 || (((_e1671 <= _e1672) && (_e1673 <= _e1674)) && (_e1675 <= _e1676))) {
-                                                    let _e1688 = select(-1f, 1f, _e1681);
-                                                    let _e1690 = ((_e1671 - _e1672) * _e1688);
-                                                    let _e1692 = select(0f, _e1690, (_e1690 > 0f));
-                                                    let _e1694 = ((_e1673 - _e1674) * _e1688);
-                                                    let _e1696 = select(0f, _e1694, (_e1694 > 0f));
-                                                    let _e1698 = ((_e1675 - _e1676) * _e1688);
-                                                    let _e1700 = select(0f, _e1698, (_e1698 > 0f));
-                                                    let _e1702 = ((_e1692 + _e1696) + _e1700);
-                                                    if (_e1702 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e1171 = phi_2064_;
+                                                let _e1179 = (_e1171[0][2] - _e471);
+                                                let _e1182 = (((_e1171[0][0] - _e334) * _e510) - (_e1179 * _e374));
+                                                let _e1185 = (((_e1171[0][1] - _e403) * _e510) - (_e1179 * _e442));
+                                                let _e1192 = (_e1171[1][2] - _e471);
+                                                let _e1195 = (((_e1171[1][0] - _e334) * _e510) - (_e1192 * _e374));
+                                                let _e1198 = (((_e1171[1][1] - _e403) * _e510) - (_e1192 * _e442));
+                                                let _e1205 = (_e1171[2][2] - _e471);
+                                                let _e1208 = (((_e1171[2][0] - _e334) * _e510) - (_e1205 * _e374));
+                                                let _e1211 = (((_e1171[2][1] - _e403) * _e510) - (_e1205 * _e442));
+                                                let _e1212 = (_e1208 * _e1198);
+                                                let _e1213 = (_e1211 * _e1195);
+                                                let _e1214 = (_e1182 * _e1211);
+                                                let _e1215 = (_e1185 * _e1208);
+                                                let _e1216 = (_e1195 * _e1185);
+                                                let _e1217 = (_e1198 * _e1182);
+                                                let _e1222 = (((_e1212 >= _e1213) && (_e1214 >= _e1215)) && (_e1216 >= _e1217));
+                                                if (_e1222 || (((_e1212 <= _e1213) && (_e1214 <= _e1215)) && (_e1216 <= _e1217))) {
+                                                    let _e1229 = select(-1f, 1f, _e1222);
+                                                    let _e1231 = ((_e1212 - _e1213) * _e1229);
+                                                    let _e1233 = select(0f, _e1231, (_e1231 > 0f));
+                                                    let _e1235 = ((_e1214 - _e1215) * _e1229);
+                                                    let _e1237 = select(0f, _e1235, (_e1235 > 0f));
+                                                    let _e1239 = ((_e1216 - _e1217) * _e1229);
+                                                    let _e1241 = select(0f, _e1239, (_e1239 > 0f));
+                                                    let _e1243 = ((_e1233 + _e1237) + _e1241);
+                                                    if (_e1243 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2948_ = type_24();
                                                         phi_2949_ = true;
                                                         phi_2950_ = false;
                                                     } else {
-                                                        let _e1705 = select(_e1654, _e1641, (_e1641 < _e1654));
-                                                        if (select(_e1667, _e1705, (_e1705 < _e1667)) > 0f) {
+                                                        let _e1246 = select(_e1195, _e1182, (_e1182 < _e1195));
+                                                        if (select(_e1208, _e1246, (_e1246 < _e1208)) > 0f) {
                                                             phi_2216_ = true;
                                                         } else {
-                                                            let _e1710 = select(_e1654, _e1641, (_e1641 > _e1654));
-                                                            phi_2216_ = (select(_e1667, _e1710, (_e1710 > _e1667)) < 0f);
+                                                            let _e1251 = select(_e1195, _e1182, (_e1182 > _e1195));
+                                                            phi_2216_ = (select(_e1208, _e1251, (_e1251 > _e1208)) < 0f);
                                                         }
-                                                        let _e1715 = phi_2216_;
-                                                        if _e1715 {
+                                                        let _e1256 = phi_2216_;
+                                                        if _e1256 {
                                                             phi_2945_ = type_24();
                                                             phi_2946_ = true;
                                                             phi_2947_ = false;
                                                         } else {
-                                                            let _e1717 = select(_e1657, _e1644, (_e1644 < _e1657));
-                                                            if (select(_e1670, _e1717, (_e1717 < _e1670)) > 0f) {
+                                                            let _e1258 = select(_e1198, _e1185, (_e1185 < _e1198));
+                                                            if (select(_e1211, _e1258, (_e1258 < _e1211)) > 0f) {
                                                                 phi_2245_ = true;
                                                             } else {
-                                                                let _e1722 = select(_e1657, _e1644, (_e1644 > _e1657));
-                                                                phi_2245_ = (select(_e1670, _e1722, (_e1722 > _e1670)) < 0f);
+                                                                let _e1263 = select(_e1198, _e1185, (_e1185 > _e1198));
+                                                                phi_2245_ = (select(_e1211, _e1263, (_e1263 > _e1211)) < 0f);
                                                             }
-                                                            let _e1727 = phi_2245_;
-                                                            if _e1727 {
+                                                            let _e1268 = phi_2245_;
+                                                            if _e1268 {
                                                                 phi_2943_ = type_24();
                                                                 phi_2944_ = false;
                                                             } else {
-                                                                let _e1729 = select(_e1630[1][0], _e1630[0][0], (_e1630[0][0] < _e1630[1][0]));
-                                                                let _e1733 = select(_e1630[1][0], _e1630[0][0], (_e1630[0][0] > _e1630[1][0]));
-                                                                let _e1737 = select(_e1630[1][1], _e1630[0][1], (_e1630[0][1] < _e1630[1][1]));
-                                                                let _e1741 = select(_e1630[1][1], _e1630[0][1], (_e1630[0][1] > _e1630[1][1]));
-                                                                let _e1745 = select(_e1630[1][2], _e1630[0][2], (_e1630[0][2] < _e1630[1][2]));
-                                                                let _e1749 = select(_e1630[1][2], _e1630[0][2], (_e1630[0][2] > _e1630[1][2]));
-                                                                let _e1754 = ((select(_e1630[2][0], _e1729, (_e1729 < _e1630[2][0])) - _e372) * _e377);
-                                                                let _e1755 = ((select(_e1630[2][0], _e1733, (_e1733 > _e1630[2][0])) - _e373) * _e377);
-                                                                let _e1758 = ((select(_e1630[2][1], _e1737, (_e1737 < _e1630[2][1])) - _e440) * _e445);
-                                                                let _e1759 = ((select(_e1630[2][1], _e1741, (_e1741 > _e1630[2][1])) - _e441) * _e445);
-                                                                let _e1762 = ((select(_e1630[2][2], _e1745, (_e1745 < _e1630[2][2])) - _e508) * _e513);
-                                                                let _e1763 = ((select(_e1630[2][2], _e1749, (_e1749 > _e1630[2][2])) - _e509) * _e513);
-                                                                let _e1765 = select(_e1763, _e1762, (_e1762 < _e1763));
-                                                                let _e1767 = select(_e1763, _e1762, (_e1762 > _e1763));
-                                                                let _e1769 = select(_e1755, _e1754, (_e1754 < _e1755));
-                                                                let _e1771 = select(_e1759, _e1758, (_e1758 < _e1759));
-                                                                let _e1773 = select(_e1771, _e1769, (_e1769 > _e1771));
-                                                                let _e1775 = select(_e1765, _e1773, (_e1773 > _e1765));
-                                                                let _e1777 = select(_e1755, _e1754, (_e1754 > _e1755));
-                                                                let _e1779 = select(_e1759, _e1758, (_e1758 > _e1759));
-                                                                let _e1781 = select(_e1779, _e1777, (_e1777 < _e1779));
-                                                                let _e1783 = select(_e1767, _e1781, (_e1781 < _e1767));
-                                                                let _e1784 = -(_e1765);
-                                                                let _e1790 = select(_e625, _e1775, (_e1775 > _e625));
-                                                                if (_e1790 > (_e1783 + (select(_e1784, _e1767, (_e1767 > _e1784)) * 0.0000019073523f))) {
+                                                                let _e1270 = select(_e1171[1][0], _e1171[0][0], (_e1171[0][0] < _e1171[1][0]));
+                                                                let _e1274 = select(_e1171[1][0], _e1171[0][0], (_e1171[0][0] > _e1171[1][0]));
+                                                                let _e1278 = select(_e1171[1][1], _e1171[0][1], (_e1171[0][1] < _e1171[1][1]));
+                                                                let _e1282 = select(_e1171[1][1], _e1171[0][1], (_e1171[0][1] > _e1171[1][1]));
+                                                                let _e1286 = select(_e1171[1][2], _e1171[0][2], (_e1171[0][2] < _e1171[1][2]));
+                                                                let _e1290 = select(_e1171[1][2], _e1171[0][2], (_e1171[0][2] > _e1171[1][2]));
+                                                                let _e1295 = ((select(_e1171[2][0], _e1270, (_e1270 < _e1171[2][0])) - _e372) * _e377);
+                                                                let _e1296 = ((select(_e1171[2][0], _e1274, (_e1274 > _e1171[2][0])) - _e373) * _e377);
+                                                                let _e1299 = ((select(_e1171[2][1], _e1278, (_e1278 < _e1171[2][1])) - _e440) * _e445);
+                                                                let _e1300 = ((select(_e1171[2][1], _e1282, (_e1282 > _e1171[2][1])) - _e441) * _e445);
+                                                                let _e1303 = ((select(_e1171[2][2], _e1286, (_e1286 < _e1171[2][2])) - _e508) * _e513);
+                                                                let _e1304 = ((select(_e1171[2][2], _e1290, (_e1290 > _e1171[2][2])) - _e509) * _e513);
+                                                                let _e1306 = select(_e1304, _e1303, (_e1303 < _e1304));
+                                                                let _e1308 = select(_e1304, _e1303, (_e1303 > _e1304));
+                                                                let _e1310 = select(_e1296, _e1295, (_e1295 < _e1296));
+                                                                let _e1312 = select(_e1300, _e1299, (_e1299 < _e1300));
+                                                                let _e1314 = select(_e1312, _e1310, (_e1310 > _e1312));
+                                                                let _e1316 = select(_e1306, _e1314, (_e1314 > _e1306));
+                                                                let _e1318 = select(_e1296, _e1295, (_e1295 > _e1296));
+                                                                let _e1320 = select(_e1300, _e1299, (_e1299 > _e1300));
+                                                                let _e1322 = select(_e1320, _e1318, (_e1318 < _e1320));
+                                                                let _e1324 = select(_e1308, _e1322, (_e1322 < _e1308));
+                                                                let _e1325 = -(_e1306);
+                                                                let _e1331 = select(_e625, _e1316, (_e1316 > _e625));
+                                                                if (_e1331 > (_e1324 + (select(_e1325, _e1308, (_e1308 > _e1325)) * 0.0000019073523f))) {
                                                                     phi_2938_ = type_24();
                                                                     phi_2939_ = true;
                                                                 } else {
-                                                                    let _e1792 = (_e1790 > _e1183.member_1);
-                                                                    if _e1792 {
+                                                                    let _e1333 = (_e1331 > _e724.member_1);
+                                                                    if _e1333 {
                                                                         phi_2937_ = type_24();
                                                                     } else {
-                                                                        let _e1793 = vec3<f32>(_e1630[0][0], _e1630[0][1], _e1630[0][2]);
-                                                                        let _e1794 = vec3<f32>(_e1630[1][0], _e1630[1][1], _e1630[1][2]);
-                                                                        let _e1795 = vec3<f32>(_e1630[2][0], _e1630[2][1], _e1630[2][2]);
-                                                                        let _e1796 = (_e1630[1][0] - _e1630[0][0]);
-                                                                        let _e1797 = (_e1630[1][1] - _e1630[0][1]);
-                                                                        let _e1798 = (_e1630[1][2] - _e1630[0][2]);
-                                                                        let _e1799 = vec3<f32>(_e1796, _e1797, _e1798);
-                                                                        let _e1800 = (_e1630[2][0] - _e1630[1][0]);
-                                                                        let _e1801 = (_e1630[2][1] - _e1630[1][1]);
-                                                                        let _e1802 = (_e1630[2][2] - _e1630[1][2]);
-                                                                        let _e1803 = vec3<f32>(_e1800, _e1801, _e1802);
-                                                                        let _e1804 = (_e1630[0][0] - _e1630[2][0]);
-                                                                        let _e1805 = (_e1630[0][1] - _e1630[2][1]);
-                                                                        let _e1806 = (_e1630[0][2] - _e1630[2][2]);
-                                                                        let _e1807 = vec3<f32>(_e1804, _e1805, _e1806);
-                                                                        let _e1810 = bitcast<f32>((bitcast<u32>(_e1796) & 2147483647u));
-                                                                        let _e1813 = bitcast<f32>((bitcast<u32>(_e1797) & 2147483647u));
-                                                                        let _e1815 = select(_e1813, _e1810, (_e1810 > _e1813));
-                                                                        let _e1818 = bitcast<f32>((bitcast<u32>(_e1798) & 2147483647u));
-                                                                        let _e1820 = select(_e1818, _e1815, (_e1815 > _e1818));
-                                                                        let _e1823 = bitcast<f32>((bitcast<u32>(_e1800) & 2147483647u));
-                                                                        let _e1826 = bitcast<f32>((bitcast<u32>(_e1801) & 2147483647u));
-                                                                        let _e1828 = select(_e1826, _e1823, (_e1823 > _e1826));
-                                                                        let _e1831 = bitcast<f32>((bitcast<u32>(_e1802) & 2147483647u));
-                                                                        let _e1833 = select(_e1831, _e1828, (_e1828 > _e1831));
-                                                                        let _e1836 = bitcast<f32>((bitcast<u32>(_e1804) & 2147483647u));
-                                                                        let _e1839 = bitcast<f32>((bitcast<u32>(_e1805) & 2147483647u));
-                                                                        let _e1841 = select(_e1839, _e1836, (_e1836 > _e1839));
-                                                                        let _e1844 = bitcast<f32>((bitcast<u32>(_e1806) & 2147483647u));
-                                                                        let _e1846 = select(_e1844, _e1841, (_e1841 > _e1844));
-                                                                        let _e1848 = select(_e1833, _e1820, (_e1820 > _e1833));
-                                                                        let _e1850 = select(_e1846, _e1848, (_e1848 > _e1846));
-                                                                        if (_e1820 == _e1850) {
-                                                                            phi_2664_ = _e1657;
-                                                                            phi_2665_ = _e1654;
-                                                                            phi_2666_ = _e1644;
-                                                                            phi_2667_ = _e1641;
-                                                                            phi_2668_ = _e1793;
-                                                                            phi_2669_ = _e1807;
-                                                                            phi_2670_ = _e1803;
-                                                                            phi_2671_ = _e1799;
+                                                                        let _e1334 = vec3<f32>(_e1171[0][0], _e1171[0][1], _e1171[0][2]);
+                                                                        let _e1335 = vec3<f32>(_e1171[1][0], _e1171[1][1], _e1171[1][2]);
+                                                                        let _e1336 = vec3<f32>(_e1171[2][0], _e1171[2][1], _e1171[2][2]);
+                                                                        let _e1337 = (_e1171[1][0] - _e1171[0][0]);
+                                                                        let _e1338 = (_e1171[1][1] - _e1171[0][1]);
+                                                                        let _e1339 = (_e1171[1][2] - _e1171[0][2]);
+                                                                        let _e1340 = vec3<f32>(_e1337, _e1338, _e1339);
+                                                                        let _e1341 = (_e1171[2][0] - _e1171[1][0]);
+                                                                        let _e1342 = (_e1171[2][1] - _e1171[1][1]);
+                                                                        let _e1343 = (_e1171[2][2] - _e1171[1][2]);
+                                                                        let _e1344 = vec3<f32>(_e1341, _e1342, _e1343);
+                                                                        let _e1345 = (_e1171[0][0] - _e1171[2][0]);
+                                                                        let _e1346 = (_e1171[0][1] - _e1171[2][1]);
+                                                                        let _e1347 = (_e1171[0][2] - _e1171[2][2]);
+                                                                        let _e1348 = vec3<f32>(_e1345, _e1346, _e1347);
+                                                                        let _e1351 = bitcast<f32>((bitcast<u32>(_e1337) & 2147483647u));
+                                                                        let _e1354 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
+                                                                        let _e1356 = select(_e1354, _e1351, (_e1351 > _e1354));
+                                                                        let _e1359 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
+                                                                        let _e1361 = select(_e1359, _e1356, (_e1356 > _e1359));
+                                                                        let _e1364 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
+                                                                        let _e1367 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
+                                                                        let _e1369 = select(_e1367, _e1364, (_e1364 > _e1367));
+                                                                        let _e1372 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
+                                                                        let _e1374 = select(_e1372, _e1369, (_e1369 > _e1372));
+                                                                        let _e1377 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
+                                                                        let _e1380 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
+                                                                        let _e1382 = select(_e1380, _e1377, (_e1377 > _e1380));
+                                                                        let _e1385 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
+                                                                        let _e1387 = select(_e1385, _e1382, (_e1382 > _e1385));
+                                                                        let _e1389 = select(_e1374, _e1361, (_e1361 > _e1374));
+                                                                        let _e1391 = select(_e1387, _e1389, (_e1389 > _e1387));
+                                                                        if (_e1361 == _e1391) {
+                                                                            phi_2664_ = _e1198;
+                                                                            phi_2665_ = _e1195;
+                                                                            phi_2666_ = _e1185;
+                                                                            phi_2667_ = _e1182;
+                                                                            phi_2668_ = _e1334;
+                                                                            phi_2669_ = _e1348;
+                                                                            phi_2670_ = _e1344;
+                                                                            phi_2671_ = _e1340;
                                                                         } else {
-                                                                            let _e1852 = (_e1833 == _e1850);
-                                                                            let _e1857 = vec3(_e1852);
-                                                                            phi_2664_ = select(_e1644, _e1670, _e1852);
-                                                                            phi_2665_ = select(_e1641, _e1667, _e1852);
-                                                                            phi_2666_ = select(_e1670, _e1657, _e1852);
-                                                                            phi_2667_ = select(_e1667, _e1654, _e1852);
-                                                                            phi_2668_ = select(_e1795, _e1794, _e1857);
-                                                                            phi_2669_ = select(_e1803, _e1799, _e1857);
-                                                                            phi_2670_ = select(_e1799, _e1807, _e1857);
-                                                                            phi_2671_ = select(_e1807, _e1803, _e1857);
+                                                                            let _e1393 = (_e1374 == _e1391);
+                                                                            let _e1398 = vec3(_e1393);
+                                                                            phi_2664_ = select(_e1185, _e1211, _e1393);
+                                                                            phi_2665_ = select(_e1182, _e1208, _e1393);
+                                                                            phi_2666_ = select(_e1211, _e1198, _e1393);
+                                                                            phi_2667_ = select(_e1208, _e1195, _e1393);
+                                                                            phi_2668_ = select(_e1336, _e1335, _e1398);
+                                                                            phi_2669_ = select(_e1344, _e1340, _e1398);
+                                                                            phi_2670_ = select(_e1340, _e1348, _e1398);
+                                                                            phi_2671_ = select(_e1348, _e1344, _e1398);
                                                                         }
-                                                                        let _e1863 = phi_2664_;
-                                                                        let _e1865 = phi_2665_;
-                                                                        let _e1867 = phi_2666_;
-                                                                        let _e1869 = phi_2667_;
-                                                                        let _e1871 = phi_2668_;
-                                                                        let _e1873 = phi_2669_;
-                                                                        let _e1875 = phi_2670_;
-                                                                        let _e1877 = phi_2671_;
-                                                                        let _e1884 = ((_e1875.y * _e1873.z) - (_e1873.y * _e1875.z));
-                                                                        let _e1889 = ((_e1875.z * _e1873.x) - (_e1873.z * _e1875.x));
-                                                                        let _e1892 = ((_e1875.x * _e1873.y) - (_e1873.x * _e1875.y));
-                                                                        if (_e1692 >= _e1696) {
-                                                                            phi_2708_ = select(true, false, (_e1692 >= _e1700));
+                                                                        let _e1404 = phi_2664_;
+                                                                        let _e1406 = phi_2665_;
+                                                                        let _e1408 = phi_2666_;
+                                                                        let _e1410 = phi_2667_;
+                                                                        let _e1412 = phi_2668_;
+                                                                        let _e1414 = phi_2669_;
+                                                                        let _e1416 = phi_2670_;
+                                                                        let _e1418 = phi_2671_;
+                                                                        let _e1425 = ((_e1416.y * _e1414.z) - (_e1414.y * _e1416.z));
+                                                                        let _e1430 = ((_e1416.z * _e1414.x) - (_e1414.z * _e1416.x));
+                                                                        let _e1433 = ((_e1416.x * _e1414.y) - (_e1414.x * _e1416.y));
+                                                                        if (_e1233 >= _e1237) {
+                                                                            phi_2708_ = select(true, false, (_e1233 >= _e1241));
                                                                         } else {
                                                                             phi_2708_ = true;
                                                                         }
-                                                                        let _e1897 = phi_2708_;
-                                                                        if _e1897 {
-                                                                            phi_2717_ = select(_e1795, _e1794, vec3((_e1696 >= _e1700)));
+                                                                        let _e1438 = phi_2708_;
+                                                                        if _e1438 {
+                                                                            phi_2717_ = select(_e1336, _e1335, vec3((_e1237 >= _e1241)));
                                                                         } else {
-                                                                            phi_2717_ = _e1793;
+                                                                            phi_2717_ = _e1334;
                                                                         }
-                                                                        let _e1902 = phi_2717_;
-                                                                        let _e1913 = (((_e1884 * (_e1902.x - _e334)) + (_e1889 * (_e1902.y - _e403))) + (_e1892 * (_e1902.z - _e471)));
-                                                                        let _e1918 = (((_e1884 * _e374) + (_e1889 * _e442)) + (_e1892 * _e510));
-                                                                        let _e1919 = (_e1865 - _e1869);
-                                                                        let _e1920 = (_e1863 - _e1867);
-                                                                        let _e1928 = (-(((_e1869 * _e1919) + (_e1867 * _e1920))) / ((_e1919 * _e1919) + (_e1920 * _e1920)));
-                                                                        let _e1930 = select(1f, _e1928, (_e1928 < 1f));
-                                                                        let _e1932 = select(0f, _e1930, (_e1930 > 0f));
-                                                                        let _e1945 = ((_e1871.x + (_e1877.x * _e1932)) - _e334);
-                                                                        let _e1946 = ((_e1871.y + (_e1877.y * _e1932)) - _e403);
-                                                                        let _e1947 = ((_e1871.z + (_e1877.z * _e1932)) - _e471);
-                                                                        let _e1948 = (_e1947 / _e510);
-                                                                        let _e1960 = bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u));
-                                                                        let _e1963 = bitcast<f32>((bitcast<u32>(_e1946) & 2147483647u));
-                                                                        let _e1965 = select(_e1963, _e1960, (_e1960 > _e1963));
-                                                                        let _e1968 = bitcast<f32>((bitcast<u32>(_e1947) & 2147483647u));
-                                                                        let _e1970 = select(_e1968, _e1965, (_e1965 > _e1968));
-                                                                        let _e1976 = bitcast<f32>((bitcast<u32>(_e1884) & 2147483647u));
-                                                                        let _e1979 = bitcast<f32>((bitcast<u32>(_e1889) & 2147483647u));
-                                                                        let _e1981 = select(_e1979, _e1976, (_e1976 > _e1979));
-                                                                        let _e1984 = bitcast<f32>((bitcast<u32>(_e1892) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1884 * _e1945) + (_e1889 * _e1946)) + (_e1892 * _e1947)) - _e1913)) & 2147483647u)) <= ((0.0000009536743f * select(_e1850, _e1970, (_e1970 > _e1850))) * select(_e1984, _e1981, (_e1981 > _e1984)))) {
-                                                                            let _e1994 = bitcast<f32>((bitcast<u32>(_e1875.x) & 2147483647u));
-                                                                            let _e1997 = bitcast<f32>((bitcast<u32>(_e1875.y) & 2147483647u));
-                                                                            let _e1999 = select(_e1997, _e1994, (_e1994 > _e1997));
-                                                                            let _e2002 = bitcast<f32>((bitcast<u32>(_e1875.z) & 2147483647u));
-                                                                            let _e2008 = bitcast<f32>((bitcast<u32>(_e1873.x) & 2147483647u));
-                                                                            let _e2011 = bitcast<f32>((bitcast<u32>(_e1873.y) & 2147483647u));
-                                                                            let _e2013 = select(_e2011, _e2008, (_e2008 > _e2011));
-                                                                            let _e2016 = bitcast<f32>((bitcast<u32>(_e1873.z) & 2147483647u));
-                                                                            let _e2020 = (bitcast<f32>((bitcast<u32>(_e1918) & 2147483647u)) > ((0.0000038146973f * select(_e2002, _e1999, (_e1999 > _e2002))) * select(_e2016, _e2013, (_e2013 > _e2016))));
-                                                                            if _e2020 {
-                                                                                phi_2882_ = (_e1913 / _e1918);
+                                                                        let _e1443 = phi_2717_;
+                                                                        let _e1454 = (((_e1425 * (_e1443.x - _e334)) + (_e1430 * (_e1443.y - _e403))) + (_e1433 * (_e1443.z - _e471)));
+                                                                        let _e1459 = (((_e1425 * _e374) + (_e1430 * _e442)) + (_e1433 * _e510));
+                                                                        let _e1460 = (_e1406 - _e1410);
+                                                                        let _e1461 = (_e1404 - _e1408);
+                                                                        let _e1469 = (-(((_e1410 * _e1460) + (_e1408 * _e1461))) / ((_e1460 * _e1460) + (_e1461 * _e1461)));
+                                                                        let _e1471 = select(1f, _e1469, (_e1469 < 1f));
+                                                                        let _e1473 = select(0f, _e1471, (_e1471 > 0f));
+                                                                        let _e1486 = ((_e1412.x + (_e1418.x * _e1473)) - _e334);
+                                                                        let _e1487 = ((_e1412.y + (_e1418.y * _e1473)) - _e403);
+                                                                        let _e1488 = ((_e1412.z + (_e1418.z * _e1473)) - _e471);
+                                                                        let _e1489 = (_e1488 / _e510);
+                                                                        let _e1501 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
+                                                                        let _e1504 = bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u));
+                                                                        let _e1506 = select(_e1504, _e1501, (_e1501 > _e1504));
+                                                                        let _e1509 = bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u));
+                                                                        let _e1511 = select(_e1509, _e1506, (_e1506 > _e1509));
+                                                                        let _e1517 = bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u));
+                                                                        let _e1520 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
+                                                                        let _e1522 = select(_e1520, _e1517, (_e1517 > _e1520));
+                                                                        let _e1525 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1425 * _e1486) + (_e1430 * _e1487)) + (_e1433 * _e1488)) - _e1454)) & 2147483647u)) <= ((0.0000009536743f * select(_e1391, _e1511, (_e1511 > _e1391))) * select(_e1525, _e1522, (_e1522 > _e1525)))) {
+                                                                            let _e1535 = bitcast<f32>((bitcast<u32>(_e1416.x) & 2147483647u));
+                                                                            let _e1538 = bitcast<f32>((bitcast<u32>(_e1416.y) & 2147483647u));
+                                                                            let _e1540 = select(_e1538, _e1535, (_e1535 > _e1538));
+                                                                            let _e1543 = bitcast<f32>((bitcast<u32>(_e1416.z) & 2147483647u));
+                                                                            let _e1549 = bitcast<f32>((bitcast<u32>(_e1414.x) & 2147483647u));
+                                                                            let _e1552 = bitcast<f32>((bitcast<u32>(_e1414.y) & 2147483647u));
+                                                                            let _e1554 = select(_e1552, _e1549, (_e1549 > _e1552));
+                                                                            let _e1557 = bitcast<f32>((bitcast<u32>(_e1414.z) & 2147483647u));
+                                                                            let _e1561 = (bitcast<f32>((bitcast<u32>(_e1459) & 2147483647u)) > ((0.0000038146973f * select(_e1543, _e1540, (_e1540 > _e1543))) * select(_e1557, _e1554, (_e1554 > _e1557))));
+                                                                            if _e1561 {
+                                                                                phi_2882_ = (_e1454 / _e1459);
                                                                             } else {
                                                                                 phi_2882_ = f32();
                                                                             }
-                                                                            let _e2023 = phi_2882_;
-                                                                            phi_2884_ = _e2023;
-                                                                            phi_2885_ = select(true, false, _e2020);
+                                                                            let _e1564 = phi_2882_;
+                                                                            phi_2884_ = _e1564;
+                                                                            phi_2885_ = select(true, false, _e1561);
                                                                         } else {
                                                                             phi_2884_ = f32();
                                                                             phi_2885_ = true;
                                                                         }
-                                                                        let _e2026 = phi_2884_;
-                                                                        let _e2028 = phi_2885_;
-                                                                        if _e2028 {
-                                                                            let _e2036 = (((_e1884 * (_e1945 - (_e374 * _e1948))) + (_e1889 * (_e1946 - (_e442 * _e1948)))) / _e1918);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e2036) & 2147483647u)) <= _e1850) {
-                                                                                phi_2905_ = (_e1948 + _e2036);
+                                                                        let _e1567 = phi_2884_;
+                                                                        let _e1569 = phi_2885_;
+                                                                        if _e1569 {
+                                                                            let _e1577 = (((_e1425 * (_e1486 - (_e374 * _e1489))) + (_e1430 * (_e1487 - (_e442 * _e1489)))) / _e1459);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)) <= _e1391) {
+                                                                                phi_2905_ = (_e1489 + _e1577);
                                                                             } else {
-                                                                                phi_2905_ = _e1948;
+                                                                                phi_2905_ = _e1489;
                                                                             }
-                                                                            let _e2043 = phi_2905_;
-                                                                            phi_2906_ = _e2043;
+                                                                            let _e1584 = phi_2905_;
+                                                                            phi_2906_ = _e1584;
                                                                         } else {
-                                                                            phi_2906_ = _e2026;
+                                                                            phi_2906_ = _e1567;
                                                                         }
-                                                                        let _e2045 = phi_2906_;
-                                                                        let _e2047 = select(_e1783, _e2045, (_e2045 < _e1783));
-                                                                        let _e2049 = select(_e1775, _e2047, (_e2047 > _e1775));
-                                                                        if (_e2049 >= _e625) {
-                                                                            let _e2051 = (_e2049 <= _e1183.member_1);
-                                                                            if _e2051 {
-                                                                                let _e2052 = (1f / _e1702);
-                                                                                phi_2929_ = type_24(_e2049, (_e1696 * _e2052), (_e1700 * _e2052), _e1243);
+                                                                        let _e1586 = phi_2906_;
+                                                                        let _e1588 = select(_e1324, _e1586, (_e1586 < _e1324));
+                                                                        let _e1590 = select(_e1316, _e1588, (_e1588 > _e1316));
+                                                                        if (_e1590 >= _e625) {
+                                                                            let _e1592 = (_e1590 <= _e724.member_1);
+                                                                            if _e1592 {
+                                                                                let _e1593 = (1f / _e1243);
+                                                                                phi_2929_ = type_24(_e1590, (_e1237 * _e1593), (_e1241 * _e1593), _e784);
                                                                             } else {
                                                                                 phi_2929_ = type_24();
                                                                             }
-                                                                            let _e2057 = phi_2929_;
-                                                                            phi_2931_ = _e2057;
-                                                                            phi_2932_ = select(true, false, _e2051);
+                                                                            let _e1598 = phi_2929_;
+                                                                            phi_2931_ = _e1598;
+                                                                            phi_2932_ = select(true, false, _e1592);
                                                                         } else {
                                                                             phi_2931_ = type_24();
                                                                             phi_2932_ = true;
                                                                         }
-                                                                        let _e2060 = phi_2931_;
-                                                                        let _e2062 = phi_2932_;
-                                                                        if _e2062 {
+                                                                        let _e1601 = phi_2931_;
+                                                                        let _e1603 = phi_2932_;
+                                                                        if _e1603 {
                                                                             phi_2936_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2936_ = _e2060;
+                                                                            phi_2936_ = _e1601;
                                                                         }
-                                                                        let _e2064 = phi_2936_;
-                                                                        phi_2937_ = _e2064;
+                                                                        let _e1605 = phi_2936_;
+                                                                        phi_2937_ = _e1605;
                                                                     }
-                                                                    let _e2066 = phi_2937_;
-                                                                    phi_2938_ = _e2066;
-                                                                    phi_2939_ = _e1792;
+                                                                    let _e1607 = phi_2937_;
+                                                                    phi_2938_ = _e1607;
+                                                                    phi_2939_ = _e1333;
                                                                 }
-                                                                let _e2068 = phi_2938_;
-                                                                let _e2070 = phi_2939_;
-                                                                phi_2943_ = _e2068;
-                                                                phi_2944_ = _e2070;
+                                                                let _e1609 = phi_2938_;
+                                                                let _e1611 = phi_2939_;
+                                                                phi_2943_ = _e1609;
+                                                                phi_2944_ = _e1611;
                                                             }
-                                                            let _e2072 = phi_2943_;
-                                                            let _e2074 = phi_2944_;
-                                                            phi_2945_ = _e2072;
-                                                            phi_2946_ = _e1727;
-                                                            phi_2947_ = _e2074;
+                                                            let _e1613 = phi_2943_;
+                                                            let _e1615 = phi_2944_;
+                                                            phi_2945_ = _e1613;
+                                                            phi_2946_ = _e1268;
+                                                            phi_2947_ = _e1615;
                                                         }
-                                                        let _e2076 = phi_2945_;
-                                                        let _e2078 = phi_2946_;
-                                                        let _e2080 = phi_2947_;
-                                                        phi_2948_ = _e2076;
-                                                        phi_2949_ = _e2078;
-                                                        phi_2950_ = _e2080;
+                                                        let _e1617 = phi_2945_;
+                                                        let _e1619 = phi_2946_;
+                                                        let _e1621 = phi_2947_;
+                                                        phi_2948_ = _e1617;
+                                                        phi_2949_ = _e1619;
+                                                        phi_2950_ = _e1621;
                                                     }
-                                                    let _e2082 = phi_2948_;
-                                                    let _e2084 = phi_2949_;
-                                                    let _e2086 = phi_2950_;
-                                                    phi_2958_ = _e2082;
-                                                    phi_2959_ = select(_e2086, true, _e2084);
+                                                    let _e1623 = phi_2948_;
+                                                    let _e1625 = phi_2949_;
+                                                    let _e1627 = phi_2950_;
+                                                    phi_2958_ = _e1623;
+                                                    phi_2959_ = select(_e1627, true, _e1625);
                                                 } else {
                                                     phi_2958_ = type_24();
                                                     phi_2959_ = true;
                                                 }
-                                                let _e2089 = phi_2958_;
-                                                let _e2091 = phi_2959_;
-                                                if _e2091 {
+                                                let _e1630 = phi_2958_;
+                                                let _e1632 = phi_2959_;
+                                                if _e1632 {
                                                     phi_2963_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2963_ = _e2089;
+                                                    phi_2963_ = _e1630;
                                                 }
-                                                let _e2093 = phi_2963_;
-                                                if (_e2093.member_3 != 4294967295u) {
-                                                    if (_e1243 != 4294967295u) {
-                                                        if (_e2093.member < _e1183.member.member) {
+                                                let _e1634 = phi_2963_;
+                                                if (_e1634.member_3 != 4294967295u) {
+                                                    if (_e784 != 4294967295u) {
+                                                        if (_e1634.member < _e724.member.member) {
                                                             phi_2989_ = true;
                                                         } else {
-                                                            if (_e2093.member == _e1183.member.member) {
-                                                                phi_2988_ = (_e2093.member_3 < _e1183.member.member_3);
+                                                            if (_e1634.member == _e724.member.member) {
+                                                                phi_2988_ = (_e1634.member_3 < _e724.member.member_3);
                                                             } else {
                                                                 phi_2988_ = false;
                                                             }
-                                                            let _e2106 = phi_2988_;
-                                                            phi_2989_ = _e2106;
+                                                            let _e1647 = phi_2988_;
+                                                            phi_2989_ = _e1647;
                                                         }
-                                                        let _e2108 = phi_2989_;
-                                                        if _e2108 {
-                                                            phi_2995_ = type_37(_e2093, _e2093.member);
+                                                        let _e1649 = phi_2989_;
+                                                        if _e1649 {
+                                                            phi_2995_ = type_37(_e1634, _e1634.member);
                                                         } else {
-                                                            phi_2995_ = _e1183;
+                                                            phi_2995_ = _e724;
                                                         }
-                                                        let _e2111 = phi_2995_;
-                                                        phi_2996_ = _e2111;
+                                                        let _e1652 = phi_2995_;
+                                                        phi_2996_ = _e1652;
                                                     } else {
-                                                        phi_2996_ = _e1183;
+                                                        phi_2996_ = _e724;
                                                     }
-                                                    let _e2113 = phi_2996_;
-                                                    phi_2997_ = _e2113;
+                                                    let _e1654 = phi_2996_;
+                                                    phi_2997_ = _e1654;
                                                 } else {
-                                                    phi_2997_ = _e1183;
+                                                    phi_2997_ = _e724;
                                                 }
-                                                let _e2115 = phi_2997_;
-                                                phi_1301_ = _e2115;
+                                                let _e1656 = phi_2997_;
+                                                phi_1301_ = _e1656;
                                             } else {
                                                 phi_1301_ = type_37();
                                             }
-                                            let _e2117 = phi_1301_;
+                                            let _e1658 = phi_1301_;
                                             continue;
                                             continuing {
-                                                phi_1300_ = _e2117;
-                                                phi_1303_ = _e1198;
-                                                phi_4638_ = _e667;
-                                                break if !(_e1204);
+                                                phi_1300_ = _e1658;
+                                                phi_1303_ = _e739;
+                                                phi_4642_ = _e667;
+                                                break if !(_e745);
                                             }
                                         }
-                                        let _e2120 = phi_4638_;
-                                        phi_4845_ = _e2120;
-                                        if _e2120 {
+                                        let _e1661 = phi_4642_;
+                                        phi_4849_ = _e1661;
+                                        if _e1661 {
                                             break;
                                         }
-                                        phi_4849_ = _e2120;
-                                        let _e2447 = local_11;
-                                        phi_4268_ = _e2447;
-                                        phi_4269_ = false;
-                                        phi_4270_ = _e710;
-                                        phi_4271_ = _e712;
+                                        phi_4940_ = _e1661;
+                                        let _e2430 = local_11;
+                                        phi_2998_ = _e2430;
+                                    } else {
+                                        phi_4940_ = _e667;
+                                        phi_2998_ = _e669;
+                                    }
+                                    let _e1663 = phi_4940_;
+                                    let _e1665 = phi_2998_;
+                                    if _e716 {
+                                        phi_4263_ = bool();
+                                        phi_4264_ = u32();
+                                        phi_4265_ = type_49();
                                     } else {
                                         if (_e712.member_1 >= _e99) {
-                                            phi_3803_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3799_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e712.member_1 < _e99) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e725 = ((1u + _e270) % 4u);
-                                            if (_e725 < 4u) {
+                                            let _e1669 = ((1u + _e270) % 4u);
+                                            if (_e1669 < 4u) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e730 = global_3.member[_e712.member_1][_e725];
-                                            let _e732 = (_e730 >> bitcast<u32>(11u));
-                                            let _e734 = ((1u + _e269) % 4u);
-                                            if (_e734 < 4u) {
+                                            let _e1674 = global_3.member[_e712.member_1][_e1669];
+                                            let _e1676 = (_e1674 >> bitcast<u32>(11u));
+                                            let _e1678 = ((1u + _e269) % 4u);
+                                            if (_e1678 < 4u) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e739 = global_3.member[_e712.member_1][_e734];
-                                            let _e741 = (_e739 >> bitcast<u32>(11u));
-                                            let _e743 = ((1u + _e271) % 4u);
-                                            if (_e743 < 4u) {
+                                            let _e1683 = global_3.member[_e712.member_1][_e1678];
+                                            let _e1685 = (_e1683 >> bitcast<u32>(11u));
+                                            let _e1687 = ((1u + _e271) % 4u);
+                                            if (_e1687 < 4u) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e748 = global_3.member[_e712.member_1][_e743];
-                                            let _e750 = (_e748 >> bitcast<u32>(11u));
-                                            let _e773 = (bitcast<f32>((bitcast<u32>((_e712.member.member_1.x - _e712.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e774 = (bitcast<f32>((bitcast<u32>((_e712.member.member_1.y - _e712.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e775 = (bitcast<f32>((bitcast<u32>((_e712.member.member_1.z - _e712.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e777 = select(_e150, _e773, (_e773 > _e150));
-                                            let _e779 = select(_e150, _e774, (_e774 > _e150));
-                                            let _e781 = select(_e150, _e775, (_e775 > _e150));
-                                            let _e812 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 1023u))) - 8388608f) * _e777));
-                                            let _e817 = (bitcast<i32>((_e730 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e820 = bitcast<f32>((_e812 & bitcast<u32>(_e817)));
-                                            let _e821 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e739 & 1023u))) - 8388608f) * _e779));
-                                            let _e826 = (bitcast<i32>((_e739 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e829 = bitcast<f32>((_e821 & bitcast<u32>(_e826)));
-                                            let _e830 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e748 & 1023u))) - 8388608f) * _e781));
-                                            let _e835 = (bitcast<i32>((_e748 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e838 = bitcast<f32>((_e830 & bitcast<u32>(_e835)));
-                                            let _e842 = bitcast<f32>((_e812 & bitcast<u32>(~(_e817))));
-                                            let _e846 = bitcast<f32>((_e821 & bitcast<u32>(~(_e826))));
-                                            let _e850 = bitcast<f32>((_e830 & bitcast<u32>(~(_e835))));
-                                            let _e851 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e732 & 1023u))) - 8388608f) * _e777));
-                                            let _e856 = (bitcast<i32>((_e732 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e859 = bitcast<f32>((_e851 & bitcast<u32>(_e856)));
-                                            let _e860 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e741 & 1023u))) - 8388608f) * _e779));
-                                            let _e865 = (bitcast<i32>((_e741 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e868 = bitcast<f32>((_e860 & bitcast<u32>(_e865)));
-                                            let _e869 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e750 & 1023u))) - 8388608f) * _e781));
-                                            let _e874 = (bitcast<i32>((_e750 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e877 = bitcast<f32>((_e869 & bitcast<u32>(_e874)));
-                                            let _e881 = bitcast<f32>((_e851 & bitcast<u32>(~(_e856))));
-                                            let _e885 = bitcast<f32>((_e860 & bitcast<u32>(~(_e865))));
-                                            let _e889 = bitcast<f32>((_e869 & bitcast<u32>(~(_e874))));
-                                            let _e890 = (_e712.member.member.x + _e820);
-                                            let _e891 = (_e712.member.member.y + _e829);
-                                            let _e892 = (_e712.member.member.z + _e838);
-                                            let _e895 = (_e712.member.member_1.x - _e859);
-                                            let _e896 = (_e712.member.member_1.y - _e868);
-                                            let _e897 = (_e712.member.member_1.z - _e877);
-                                            let _e916 = (_e895 - _e890);
-                                            let _e917 = (_e896 - _e891);
-                                            let _e918 = (_e897 - _e892);
-                                            let _e920 = select(_e917, _e916, (_e916 > _e917));
-                                            let _e922 = select(_e918, _e920, (_e920 > _e918));
-                                            if (_e922 < (1024f * _e150)) {
-                                                phi_3504_ = 0u;
+                                            let _e1692 = global_3.member[_e712.member_1][_e1687];
+                                            let _e1694 = (_e1692 >> bitcast<u32>(11u));
+                                            let _e1717 = (bitcast<f32>((bitcast<u32>((_e712.member.member_1.x - _e712.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1718 = (bitcast<f32>((bitcast<u32>((_e712.member.member_1.y - _e712.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1719 = (bitcast<f32>((bitcast<u32>((_e712.member.member_1.z - _e712.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1721 = select(_e150, _e1717, (_e1717 > _e150));
+                                            let _e1723 = select(_e150, _e1718, (_e1718 > _e150));
+                                            let _e1725 = select(_e150, _e1719, (_e1719 > _e150));
+                                            let _e1756 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1674 & 1023u))) - 8388608f) * _e1721));
+                                            let _e1761 = (bitcast<i32>((_e1674 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1764 = bitcast<f32>((_e1756 & bitcast<u32>(_e1761)));
+                                            let _e1765 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1683 & 1023u))) - 8388608f) * _e1723));
+                                            let _e1770 = (bitcast<i32>((_e1683 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1773 = bitcast<f32>((_e1765 & bitcast<u32>(_e1770)));
+                                            let _e1774 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1692 & 1023u))) - 8388608f) * _e1725));
+                                            let _e1779 = (bitcast<i32>((_e1692 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1782 = bitcast<f32>((_e1774 & bitcast<u32>(_e1779)));
+                                            let _e1786 = bitcast<f32>((_e1756 & bitcast<u32>(~(_e1761))));
+                                            let _e1790 = bitcast<f32>((_e1765 & bitcast<u32>(~(_e1770))));
+                                            let _e1794 = bitcast<f32>((_e1774 & bitcast<u32>(~(_e1779))));
+                                            let _e1795 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1676 & 1023u))) - 8388608f) * _e1721));
+                                            let _e1800 = (bitcast<i32>((_e1676 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1803 = bitcast<f32>((_e1795 & bitcast<u32>(_e1800)));
+                                            let _e1804 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1685 & 1023u))) - 8388608f) * _e1723));
+                                            let _e1809 = (bitcast<i32>((_e1685 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1812 = bitcast<f32>((_e1804 & bitcast<u32>(_e1809)));
+                                            let _e1813 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1694 & 1023u))) - 8388608f) * _e1725));
+                                            let _e1818 = (bitcast<i32>((_e1694 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1821 = bitcast<f32>((_e1813 & bitcast<u32>(_e1818)));
+                                            let _e1825 = bitcast<f32>((_e1795 & bitcast<u32>(~(_e1800))));
+                                            let _e1829 = bitcast<f32>((_e1804 & bitcast<u32>(~(_e1809))));
+                                            let _e1833 = bitcast<f32>((_e1813 & bitcast<u32>(~(_e1818))));
+                                            let _e1834 = (_e712.member.member.x + _e1764);
+                                            let _e1835 = (_e712.member.member.y + _e1773);
+                                            let _e1836 = (_e712.member.member.z + _e1782);
+                                            let _e1839 = (_e712.member.member_1.x - _e1803);
+                                            let _e1840 = (_e712.member.member_1.y - _e1812);
+                                            let _e1841 = (_e712.member.member_1.z - _e1821);
+                                            let _e1860 = (_e1839 - _e1834);
+                                            let _e1861 = (_e1840 - _e1835);
+                                            let _e1862 = (_e1841 - _e1836);
+                                            let _e1864 = select(_e1861, _e1860, (_e1860 > _e1861));
+                                            let _e1866 = select(_e1862, _e1864, (_e1864 > _e1862));
+                                            if (_e1866 < (1024f * _e150)) {
+                                                phi_3500_ = 0u;
                                             } else {
-                                                phi_3504_ = select(2u, 1u, (_e922 < (2097152f * _e150)));
+                                                phi_3500_ = select(2u, 1u, (_e1866 < (2097152f * _e150)));
                                             }
-                                            let _e929 = phi_3504_;
-                                            switch bitcast<i32>(_e929) {
+                                            let _e1873 = phi_3500_;
+                                            switch bitcast<i32>(_e1873) {
                                                 case 0: {
-                                                    phi_3510_ = 1u;
+                                                    phi_3506_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3510_ = 2u;
+                                                    phi_3506_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3510_ = 3u;
+                                                    phi_3506_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3510_ = u32();
+                                                    phi_3506_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e932 = phi_3510_;
-                                            let _e938 = global_3.member[_e712.member_1][0u];
-                                            let _e942 = global_3.member[_e712.member_1][1u];
-                                            let _e946 = global_3.member[_e712.member_1][2u];
-                                            let _e950 = global_3.member[_e712.member_1][3u];
-                                            let _e962 = (((_e942 >> bitcast<u32>(22i)) | ((_e946 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e950 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e963 = (_e938 & 268435455u);
-                                            let _e964 = (_e962 & 268435455u);
-                                            let _e967 = ((_e938 >> bitcast<u32>(28u)) & 7u);
-                                            let _e975 = ((_e938 >> bitcast<u32>(31i)) | (((_e962 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e976 = (_e967 != 0u);
-                                            if (_e967 == 0u) {
-                                                phi_3765_ = _e963;
+                                            let _e1876 = phi_3506_;
+                                            let _e1882 = global_3.member[_e712.member_1][0u];
+                                            let _e1886 = global_3.member[_e712.member_1][1u];
+                                            let _e1890 = global_3.member[_e712.member_1][2u];
+                                            let _e1894 = global_3.member[_e712.member_1][3u];
+                                            let _e1906 = (((_e1886 >> bitcast<u32>(22i)) | ((_e1890 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1894 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1907 = (_e1882 & 268435455u);
+                                            let _e1908 = (_e1906 & 268435455u);
+                                            let _e1911 = ((_e1882 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1919 = ((_e1882 >> bitcast<u32>(31i)) | (((_e1906 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1920 = (_e1911 != 0u);
+                                            if (_e1911 == 0u) {
+                                                phi_3761_ = _e1907;
                                             } else {
-                                                if (_e967 == 7u) {
-                                                    phi_3764_ = 2147483648u;
+                                                if (_e1911 == 7u) {
+                                                    phi_3760_ = 2147483648u;
                                                 } else {
-                                                    phi_3764_ = ((2147483648u | (_e967 << bitcast<u32>(28u))) | (_e964 & 268435455u));
+                                                    phi_3760_ = ((2147483648u | (_e1911 << bitcast<u32>(28u))) | (_e1908 & 268435455u));
                                                 }
-                                                let _e985 = phi_3764_;
-                                                phi_3765_ = _e985;
+                                                let _e1929 = phi_3760_;
+                                                phi_3761_ = _e1929;
                                             }
-                                            let _e987 = phi_3765_;
-                                            if _e976 {
-                                                let _e988 = (_e967 != 7u);
-                                                if _e988 {
-                                                    phi_3775_ = (_e964 + (_e967 * ((3u * _e932) + 1u)));
+                                            let _e1931 = phi_3761_;
+                                            if _e1920 {
+                                                let _e1932 = (_e1911 != 7u);
+                                                if _e1932 {
+                                                    phi_3771_ = (_e1908 + (_e1911 * ((3u * _e1876) + 1u)));
                                                 } else {
-                                                    phi_3775_ = u32();
+                                                    phi_3771_ = u32();
                                                 }
-                                                let _e992 = phi_3775_;
-                                                phi_3777_ = _e992;
-                                                phi_3778_ = select(true, false, _e988);
+                                                let _e1936 = phi_3771_;
+                                                phi_3773_ = _e1936;
+                                                phi_3774_ = select(true, false, _e1932);
                                             } else {
-                                                phi_3777_ = u32();
-                                                phi_3778_ = true;
+                                                phi_3773_ = u32();
+                                                phi_3774_ = true;
                                             }
-                                            let _e995 = phi_3777_;
-                                            let _e997 = phi_3778_;
-                                            if (_e975 == 0u) {
-                                                phi_3799_ = (_e963 + select(0u, 1u, !(_e976)));
+                                            let _e1939 = phi_3773_;
+                                            let _e1941 = phi_3774_;
+                                            if (_e1919 == 0u) {
+                                                phi_3795_ = (_e1907 + select(0u, 1u, !(_e1920)));
                                             } else {
-                                                if (_e975 == 7u) {
-                                                    phi_3798_ = 2147483648u;
+                                                if (_e1919 == 7u) {
+                                                    phi_3794_ = 2147483648u;
                                                 } else {
-                                                    phi_3798_ = ((2147483648u | (_e975 << bitcast<u32>(28u))) | (select(_e995, _e964, _e997) & 268435455u));
+                                                    phi_3794_ = ((2147483648u | (_e1919 << bitcast<u32>(28u))) | (select(_e1939, _e1908, _e1941) & 268435455u));
                                                 }
-                                                let _e1010 = phi_3798_;
-                                                phi_3799_ = _e1010;
+                                                let _e1954 = phi_3794_;
+                                                phi_3795_ = _e1954;
                                             }
-                                            let _e1012 = phi_3799_;
-                                            phi_3803_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e890, (_e712.member.member.x + _e842), _e895, (_e712.member.member_1.x - _e881)), vec4<f32>(_e891, (_e712.member.member.y + _e846), _e896, (_e712.member.member_1.y - _e885)), vec4<f32>(_e892, (_e712.member.member.z + _e850), _e897, (_e712.member.member_1.z - _e889))), type_49(type_32((_e712.member.member + vec4<f32>(_e820, _e829, _e838, 0f)), (_e712.member.member_1 - vec4<f32>(_e859, _e868, _e877, 0f))), _e987), type_49(type_32((_e712.member.member + vec4<f32>(_e842, _e846, _e850, 0f)), (_e712.member.member_1 - vec4<f32>(_e881, _e885, _e889, 0f))), _e1012));
+                                            let _e1956 = phi_3795_;
+                                            phi_3799_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e1834, (_e712.member.member.x + _e1786), _e1839, (_e712.member.member_1.x - _e1825)), vec4<f32>(_e1835, (_e712.member.member.y + _e1790), _e1840, (_e712.member.member_1.y - _e1829)), vec4<f32>(_e1836, (_e712.member.member.z + _e1794), _e1841, (_e712.member.member_1.z - _e1833))), type_49(type_32((_e712.member.member + vec4<f32>(_e1764, _e1773, _e1782, 0f)), (_e712.member.member_1 - vec4<f32>(_e1803, _e1812, _e1821, 0f))), _e1931), type_49(type_32((_e712.member.member + vec4<f32>(_e1786, _e1790, _e1794, 0f)), (_e712.member.member_1 - vec4<f32>(_e1825, _e1829, _e1833, 0f))), _e1956));
                                         }
-                                        let _e1017 = phi_3803_;
-                                        let _e1029 = ((_e1017.member[0].x - _e372) * _e377);
-                                        let _e1030 = ((_e1017.member[0].y - _e372) * _e377);
-                                        let _e1031 = ((_e1017.member[0].z - _e373) * _e377);
-                                        let _e1032 = ((_e1017.member[0].w - _e373) * _e377);
-                                        let _e1042 = ((_e1017.member[1].x - _e440) * _e445);
-                                        let _e1043 = ((_e1017.member[1].y - _e440) * _e445);
-                                        let _e1044 = ((_e1017.member[1].z - _e441) * _e445);
-                                        let _e1045 = ((_e1017.member[1].w - _e441) * _e445);
-                                        let _e1055 = ((_e1017.member[2].x - _e508) * _e513);
-                                        let _e1056 = ((_e1017.member[2].y - _e508) * _e513);
-                                        let _e1057 = ((_e1017.member[2].z - _e509) * _e513);
-                                        let _e1058 = ((_e1017.member[2].w - _e509) * _e513);
-                                        let _e1060 = select(_e1057, _e1055, (_e1055 < _e1057));
-                                        let _e1062 = select(_e1058, _e1056, (_e1056 < _e1058));
-                                        let _e1064 = select(_e1057, _e1055, (_e1055 > _e1057));
-                                        let _e1066 = select(_e1058, _e1056, (_e1056 > _e1058));
-                                        let _e1068 = select(_e1031, _e1029, (_e1029 < _e1031));
-                                        let _e1070 = select(_e1032, _e1030, (_e1030 < _e1032));
-                                        let _e1072 = select(_e1044, _e1042, (_e1042 < _e1044));
-                                        let _e1074 = select(_e1045, _e1043, (_e1043 < _e1045));
-                                        let _e1076 = select(_e1072, _e1068, (_e1068 > _e1072));
-                                        let _e1078 = select(_e1074, _e1070, (_e1070 > _e1074));
-                                        let _e1080 = select(_e1060, _e1076, (_e1076 > _e1060));
-                                        let _e1082 = select(_e1062, _e1078, (_e1078 > _e1062));
-                                        let _e1084 = select(_e1031, _e1029, (_e1029 > _e1031));
-                                        let _e1086 = select(_e1032, _e1030, (_e1030 > _e1032));
-                                        let _e1088 = select(_e1044, _e1042, (_e1042 > _e1044));
-                                        let _e1090 = select(_e1045, _e1043, (_e1043 > _e1045));
-                                        let _e1092 = select(_e1088, _e1084, (_e1084 < _e1088));
-                                        let _e1094 = select(_e1090, _e1086, (_e1086 < _e1090));
-                                        let _e1099 = -(_e1060);
-                                        let _e1100 = -(_e1062);
-                                        let _e1107 = (select(_e1064, _e1092, (_e1092 < _e1064)) + (select(_e1099, _e1064, (_e1064 > _e1099)) * 0.0000019073523f));
-                                        let _e1108 = (select(_e1066, _e1094, (_e1094 < _e1066)) + (select(_e1100, _e1066, (_e1066 > _e1100)) * 0.0000019073523f));
-                                        let _e1110 = select(_e625, _e1080, (_e1080 > _e625));
-                                        let _e1112 = select(_e625, _e1082, (_e1082 > _e625));
-                                        let _e1117 = (_e1110 <= select(_e669.member_1, _e1107, (_e1107 < _e669.member_1)));
-                                        let _e1118 = (_e1112 <= select(_e669.member_1, _e1108, (_e1108 < _e669.member_1)));
-                                        let _e1119 = (_e1110 <= _e1112);
-                                        if _e1117 {
-                                            if _e1118 {
-                                                if _e1119 {
-                                                    phi_4165_ = _e1017.member_2;
+                                        let _e1961 = phi_3799_;
+                                        let _e1973 = ((_e1961.member[0].x - _e372) * _e377);
+                                        let _e1974 = ((_e1961.member[0].y - _e372) * _e377);
+                                        let _e1975 = ((_e1961.member[0].z - _e373) * _e377);
+                                        let _e1976 = ((_e1961.member[0].w - _e373) * _e377);
+                                        let _e1986 = ((_e1961.member[1].x - _e440) * _e445);
+                                        let _e1987 = ((_e1961.member[1].y - _e440) * _e445);
+                                        let _e1988 = ((_e1961.member[1].z - _e441) * _e445);
+                                        let _e1989 = ((_e1961.member[1].w - _e441) * _e445);
+                                        let _e1999 = ((_e1961.member[2].x - _e508) * _e513);
+                                        let _e2000 = ((_e1961.member[2].y - _e508) * _e513);
+                                        let _e2001 = ((_e1961.member[2].z - _e509) * _e513);
+                                        let _e2002 = ((_e1961.member[2].w - _e509) * _e513);
+                                        let _e2004 = select(_e2001, _e1999, (_e1999 < _e2001));
+                                        let _e2006 = select(_e2002, _e2000, (_e2000 < _e2002));
+                                        let _e2008 = select(_e2001, _e1999, (_e1999 > _e2001));
+                                        let _e2010 = select(_e2002, _e2000, (_e2000 > _e2002));
+                                        let _e2012 = select(_e1975, _e1973, (_e1973 < _e1975));
+                                        let _e2014 = select(_e1976, _e1974, (_e1974 < _e1976));
+                                        let _e2016 = select(_e1988, _e1986, (_e1986 < _e1988));
+                                        let _e2018 = select(_e1989, _e1987, (_e1987 < _e1989));
+                                        let _e2020 = select(_e2016, _e2012, (_e2012 > _e2016));
+                                        let _e2022 = select(_e2018, _e2014, (_e2014 > _e2018));
+                                        let _e2024 = select(_e2004, _e2020, (_e2020 > _e2004));
+                                        let _e2026 = select(_e2006, _e2022, (_e2022 > _e2006));
+                                        let _e2028 = select(_e1975, _e1973, (_e1973 > _e1975));
+                                        let _e2030 = select(_e1976, _e1974, (_e1974 > _e1976));
+                                        let _e2032 = select(_e1988, _e1986, (_e1986 > _e1988));
+                                        let _e2034 = select(_e1989, _e1987, (_e1987 > _e1989));
+                                        let _e2036 = select(_e2032, _e2028, (_e2028 < _e2032));
+                                        let _e2038 = select(_e2034, _e2030, (_e2030 < _e2034));
+                                        let _e2043 = -(_e2004);
+                                        let _e2044 = -(_e2006);
+                                        let _e2051 = (select(_e2008, _e2036, (_e2036 < _e2008)) + (select(_e2043, _e2008, (_e2008 > _e2043)) * 0.0000019073523f));
+                                        let _e2052 = (select(_e2010, _e2038, (_e2038 < _e2010)) + (select(_e2044, _e2010, (_e2010 > _e2044)) * 0.0000019073523f));
+                                        let _e2054 = select(_e625, _e2024, (_e2024 > _e625));
+                                        let _e2056 = select(_e625, _e2026, (_e2026 > _e625));
+                                        let _e2061 = (_e2054 <= select(_e1665.member_1, _e2051, (_e2051 < _e1665.member_1)));
+                                        let _e2062 = (_e2056 <= select(_e1665.member_1, _e2052, (_e2052 < _e1665.member_1)));
+                                        let _e2063 = (_e2054 <= _e2056);
+                                        if _e2061 {
+                                            if _e2062 {
+                                                if _e2063 {
+                                                    phi_4161_ = _e1961.member_2;
                                                 } else {
-                                                    phi_4165_ = _e1017.member_1;
+                                                    phi_4161_ = _e1961.member_1;
                                                 }
-                                                let _e1123 = phi_4165_;
-                                                let _e1145 = (_e710 % 128u);
-                                                let _e1146 = (_e1145 < 128u);
-                                                if _e1146 {
+                                                let _e2067 = phi_4161_;
+                                                let _e2088 = (_e710 % 128u);
+                                                let _e2089 = (_e2088 < 128u);
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1145] = _e1123.member_1;
-                                                if _e1146 {
+                                                local_8[_e2088] = _e2067.member_1;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1145] = _e1123.member.member.x;
-                                                if _e1146 {
+                                                local_7[_e2088] = _e2067.member.member.x;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1145] = _e1123.member.member.y;
-                                                if _e1146 {
+                                                local_6[_e2088] = _e2067.member.member.y;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1145] = _e1123.member.member.z;
-                                                if _e1146 {
+                                                local_5[_e2088] = _e2067.member.member.z;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1145] = _e1123.member.member_1.x;
-                                                if _e1146 {
+                                                local_4[_e2088] = _e2067.member.member_1.x;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1145] = _e1123.member.member_1.y;
-                                                if _e1146 {
+                                                local_3[_e2088] = _e2067.member.member_1.y;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1145] = _e1123.member.member_1.z;
-                                                if _e1146 {
+                                                local_2[_e2088] = _e2067.member.member_1.z;
+                                                if _e2089 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1145] = select(_e1112, _e1110, !(_e1119));
-                                                if _e1119 {
-                                                    phi_4242_ = _e1017.member_1;
+                                                local_9[_e2088] = select(_e2054, _e2056, _e2063);
+                                                if _e2063 {
+                                                    phi_4237_ = _e1961.member_1;
                                                 } else {
-                                                    phi_4242_ = _e1017.member_2;
+                                                    phi_4237_ = _e1961.member_2;
                                                 }
-                                                let _e1159 = phi_4242_;
-                                                phi_4243_ = (_e710 + 1u);
-                                                phi_4244_ = _e1159;
+                                                let _e2102 = phi_4237_;
+                                                phi_4238_ = (_e710 + 1u);
+                                                phi_4239_ = _e2102;
                                             } else {
-                                                phi_4243_ = u32();
-                                                phi_4244_ = type_49();
+                                                phi_4238_ = u32();
+                                                phi_4239_ = type_49();
                                             }
-                                            let _e1161 = phi_4243_;
-                                            let _e1163 = phi_4244_;
-                                            phi_4246_ = _e1161;
-                                            phi_4247_ = _e1163;
-                                            phi_4248_ = select(true, false, _e1118);
+                                            let _e2104 = phi_4238_;
+                                            let _e2106 = phi_4239_;
+                                            phi_4241_ = _e2104;
+                                            phi_4242_ = _e2106;
+                                            phi_4243_ = select(true, false, _e2062);
                                         } else {
-                                            phi_4246_ = u32();
-                                            phi_4247_ = type_49();
-                                            phi_4248_ = true;
+                                            phi_4241_ = u32();
+                                            phi_4242_ = type_49();
+                                            phi_4243_ = true;
                                         }
-                                        let _e1166 = phi_4246_;
-                                        let _e1168 = phi_4247_;
-                                        let _e1170 = phi_4248_;
-                                        if _e1170 {
-                                            if _e1117 {
-                                                phi_4257_ = _e1017.member_1;
+                                        let _e2109 = phi_4241_;
+                                        let _e2111 = phi_4242_;
+                                        let _e2113 = phi_4243_;
+                                        if _e2113 {
+                                            if _e2061 {
+                                                phi_4252_ = _e1961.member_1;
                                             } else {
-                                                phi_4257_ = _e1017.member_2;
+                                                phi_4252_ = _e1961.member_2;
                                             }
-                                            let _e1174 = phi_4257_;
-                                            phi_4262_ = select(_e1118, true, _e1117);
-                                            phi_4264_ = _e1174;
+                                            let _e2117 = phi_4252_;
+                                            phi_4257_ = select(_e2062, true, _e2061);
+                                            phi_4259_ = _e2117;
                                         } else {
-                                            phi_4262_ = _e708;
-                                            phi_4264_ = _e1168;
+                                            phi_4257_ = _e708;
+                                            phi_4259_ = _e2111;
                                         }
-                                        let _e1177 = phi_4262_;
-                                        let _e1179 = phi_4264_;
-                                        phi_4849_ = _e667;
-                                        phi_4268_ = _e669;
-                                        phi_4269_ = _e1177;
-                                        phi_4270_ = select(_e1166, _e710, _e1170);
-                                        phi_4271_ = _e1179;
+                                        let _e2120 = phi_4257_;
+                                        let _e2122 = phi_4259_;
+                                        phi_4263_ = _e2120;
+                                        phi_4264_ = select(_e2109, _e710, _e2113);
+                                        phi_4265_ = _e2122;
                                     }
-                                    let _e2122 = phi_4849_;
-                                    let _e2124 = phi_4268_;
-                                    let _e2126 = phi_4269_;
-                                    let _e2128 = phi_4270_;
-                                    let _e2130 = phi_4271_;
-                                    phi_4848_ = _e2122;
-                                    phi_4272_ = _e2124;
-                                    phi_4273_ = _e2126;
-                                    phi_4274_ = (_e673 - 1u);
-                                    phi_4275_ = _e2128;
-                                    phi_4276_ = _e2130;
+                                    let _e2125 = phi_4263_;
+                                    let _e2127 = phi_4264_;
+                                    let _e2129 = phi_4265_;
+                                    if _e716 {
+                                        phi_4275_ = _e712;
+                                    } else {
+                                        phi_4275_ = _e2129;
+                                    }
+                                    let _e2131 = phi_4275_;
+                                    phi_4852_ = _e1663;
+                                    phi_4276_ = _e1665;
+                                    phi_4277_ = (_e671 - 1u);
+                                    phi_4278_ = select(_e2125, false, _e716);
+                                    phi_4279_ = select(_e2127, _e710, _e716);
+                                    phi_4280_ = _e2131;
                                 } else {
-                                    phi_4848_ = _e667;
-                                    phi_4272_ = _e669;
-                                    phi_4273_ = _e708;
-                                    phi_4274_ = _e673;
-                                    phi_4275_ = _e710;
-                                    phi_4276_ = _e712;
+                                    phi_4852_ = _e667;
+                                    phi_4276_ = _e669;
+                                    phi_4277_ = _e671;
+                                    phi_4278_ = _e708;
+                                    phi_4279_ = _e710;
+                                    phi_4280_ = _e712;
                                 }
-                                let _e2132 = phi_4848_;
-                                let _e2134 = phi_4272_;
-                                let _e2136 = phi_4273_;
-                                let _e2138 = phi_4274_;
-                                let _e2140 = phi_4275_;
-                                let _e2142 = phi_4276_;
-                                phi_4847_ = _e2132;
-                                phi_4277_ = _e2134;
-                                phi_4278_ = _e2136;
-                                phi_4279_ = _e2138;
-                                phi_4280_ = _e2140;
-                                phi_4281_ = _e2142;
+                                let _e2135 = phi_4852_;
+                                let _e2137 = phi_4276_;
+                                let _e2139 = phi_4277_;
+                                let _e2141 = phi_4278_;
+                                let _e2143 = phi_4279_;
+                                let _e2145 = phi_4280_;
+                                phi_4851_ = _e2135;
+                                phi_4281_ = _e2137;
+                                phi_4282_ = _e2139;
+                                phi_4283_ = _e2141;
+                                phi_4284_ = _e2143;
+                                phi_4285_ = _e2145;
                             } else {
-                                phi_4847_ = _e667;
-                                phi_4277_ = type_37();
-                                phi_4278_ = bool();
-                                phi_4279_ = u32();
-                                phi_4280_ = u32();
-                                phi_4281_ = type_49();
+                                phi_4851_ = _e667;
+                                phi_4281_ = type_37();
+                                phi_4282_ = u32();
+                                phi_4283_ = bool();
+                                phi_4284_ = u32();
+                                phi_4285_ = type_49();
                             }
-                            let _e2144 = phi_4847_;
-                            let _e2146 = phi_4277_;
-                            let _e2148 = phi_4278_;
-                            let _e2150 = phi_4279_;
-                            let _e2152 = phi_4280_;
-                            let _e2154 = phi_4281_;
-                            phi_4846_ = _e2144;
-                            phi_1174_ = _e2146;
-                            phi_1177_ = _e2148;
-                            phi_1179_ = _e2150;
-                            phi_1181_ = _e2152;
-                            phi_1183_ = _e2154;
-                            phi_4282_ = _e681;
+                            let _e2147 = phi_4851_;
+                            let _e2149 = phi_4281_;
+                            let _e2151 = phi_4282_;
+                            let _e2153 = phi_4283_;
+                            let _e2155 = phi_4284_;
+                            let _e2157 = phi_4285_;
+                            phi_4850_ = _e2147;
+                            phi_1174_ = _e2149;
+                            phi_1177_ = _e2151;
+                            phi_1179_ = _e2153;
+                            phi_1181_ = _e2155;
+                            phi_1183_ = _e2157;
+                            phi_4286_ = _e681;
                         } else {
-                            phi_4846_ = _e667;
+                            phi_4850_ = _e667;
                             phi_1174_ = type_37();
-                            phi_1177_ = bool();
-                            phi_1179_ = u32();
+                            phi_1177_ = u32();
+                            phi_1179_ = bool();
                             phi_1181_ = u32();
                             phi_1183_ = type_49();
-                            phi_4282_ = false;
+                            phi_4286_ = false;
                         }
-                        let _e2156 = phi_4846_;
-                        let _e2158 = phi_1174_;
-                        let _e2160 = phi_1177_;
-                        let _e2162 = phi_1179_;
-                        let _e2164 = phi_1181_;
-                        let _e2166 = phi_1183_;
-                        let _e2168 = phi_4282_;
+                        let _e2159 = phi_4850_;
+                        let _e2161 = phi_1174_;
+                        let _e2163 = phi_1177_;
+                        let _e2165 = phi_1179_;
+                        let _e2167 = phi_1181_;
+                        let _e2169 = phi_1183_;
+                        let _e2171 = phi_4286_;
                         continue;
                         continuing {
-                            phi_4644_ = _e2156;
-                            phi_1173_ = _e2158;
-                            phi_1176_ = _e2160;
-                            phi_1178_ = _e2162;
-                            phi_1180_ = _e2164;
-                            phi_1182_ = _e2166;
-                            phi_4845_ = _e2156;
-                            break if !(_e2168);
+                            phi_4648_ = _e2159;
+                            phi_1173_ = _e2161;
+                            phi_1176_ = _e2163;
+                            phi_1178_ = _e2165;
+                            phi_1180_ = _e2167;
+                            phi_1182_ = _e2169;
+                            phi_4849_ = _e2159;
+                            break if !(_e2171);
                         }
                     }
-                    let _e2171 = phi_4845_;
-                    if _e2171 {
+                    let _e2174 = phi_4849_;
+                    if _e2174 {
                         break;
                     }
-                    let _e2173 = local_10;
-                    if (_e2173.member.member_3 != 4294967295u) {
-                        let _e2178 = -(_e527);
-                        let _e2179 = bitcast<u32>(_e2173.member.member);
-                        let _e2183 = (bitcast<i32>((_e2179 >> bitcast<u32>(23i))) & 255i);
-                        let _e2184 = (_e2183 + _e2178);
-                        if (_e2183 == 255i) {
-                            phi_4341_ = _e2173.member.member;
+                    let _e2176 = local_10;
+                    if (_e2176.member.member_3 != 4294967295u) {
+                        let _e2181 = -(_e527);
+                        let _e2182 = bitcast<u32>(_e2176.member.member);
+                        let _e2186 = (bitcast<i32>((_e2182 >> bitcast<u32>(23i))) & 255i);
+                        let _e2187 = (_e2186 + _e2181);
+                        if (_e2186 == 255i) {
+                            phi_4345_ = _e2176.member.member;
                         } else {
-                            if (_e2183 > 0i) {
-                                if (_e2184 > 0i) {
-                                    let _e2188 = (_e2184 < 255i);
-                                    if _e2188 {
-                                        phi_4320_ = bitcast<f32>((_e2179 + bitcast<u32>((_e2178 << bitcast<u32>(23i)))));
+                            if (_e2186 > 0i) {
+                                if (_e2187 > 0i) {
+                                    let _e2191 = (_e2187 < 255i);
+                                    if _e2191 {
+                                        phi_4324_ = bitcast<f32>((_e2182 + bitcast<u32>((_e2181 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4320_ = f32();
+                                        phi_4324_ = f32();
                                     }
-                                    let _e2195 = phi_4320_;
-                                    phi_4322_ = _e2195;
-                                    phi_4323_ = select(true, false, _e2188);
+                                    let _e2198 = phi_4324_;
+                                    phi_4326_ = _e2198;
+                                    phi_4327_ = select(true, false, _e2191);
                                 } else {
-                                    phi_4322_ = f32();
-                                    phi_4323_ = true;
+                                    phi_4326_ = f32();
+                                    phi_4327_ = true;
                                 }
-                                let _e2198 = phi_4322_;
-                                let _e2200 = phi_4323_;
-                                phi_4324_ = _e2198;
-                                phi_4325_ = _e2200;
+                                let _e2201 = phi_4326_;
+                                let _e2203 = phi_4327_;
+                                phi_4328_ = _e2201;
+                                phi_4329_ = _e2203;
                             } else {
-                                phi_4324_ = f32();
-                                phi_4325_ = true;
+                                phi_4328_ = f32();
+                                phi_4329_ = true;
                             }
-                            let _e2202 = phi_4324_;
-                            let _e2204 = phi_4325_;
-                            if _e2204 {
-                                let _e2205 = (_e2179 & 2147483648u);
-                                let _e2212 = ((_e2179 & 8388607u) | (select(0u, 1u, ((_e2179 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2216 = (_e2212 == 0u);
-                                if _e2216 {
-                                    phi_4596_ = bitcast<f32>(_e2205);
+                            let _e2205 = phi_4328_;
+                            let _e2207 = phi_4329_;
+                            if _e2207 {
+                                let _e2208 = (_e2182 & 2147483648u);
+                                let _e2215 = ((_e2182 & 8388607u) | (select(0u, 1u, ((_e2182 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2219 = (_e2215 == 0u);
+                                if _e2219 {
+                                    phi_4600_ = bitcast<f32>(_e2208);
                                 } else {
-                                    let _e2221 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2212)), 32u, _e2216) - 8u);
-                                    let _e2224 = (_e2212 << bitcast<u32>((_e2221 & 31u)));
-                                    let _e2226 = ((_e2184 + select(0i, 1i, (_e2183 == 0i))) - bitcast<i32>(_e2221));
-                                    if (_e2226 >= 255i) {
-                                        phi_4586_ = bitcast<f32>((_e2205 | 2139095040u));
-                                        phi_4587_ = f32();
-                                        phi_4588_ = true;
+                                    let _e2224 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2215)), 32u, _e2219) - 8u);
+                                    let _e2227 = (_e2215 << bitcast<u32>((_e2224 & 31u)));
+                                    let _e2229 = ((_e2187 + select(0i, 1i, (_e2186 == 0i))) - bitcast<i32>(_e2224));
+                                    if (_e2229 >= 255i) {
+                                        phi_4590_ = bitcast<f32>((_e2208 | 2139095040u));
+                                        phi_4591_ = f32();
+                                        phi_4592_ = true;
                                     } else {
-                                        let _e2228 = (_e2226 > 0i);
-                                        if _e2228 {
-                                            phi_4580_ = bitcast<f32>(((_e2205 | (bitcast<u32>(_e2226) << bitcast<u32>(23i))) | (_e2224 & 8388607u)));
-                                            phi_4581_ = f32();
+                                        let _e2231 = (_e2229 > 0i);
+                                        if _e2231 {
+                                            phi_4584_ = bitcast<f32>(((_e2208 | (bitcast<u32>(_e2229) << bitcast<u32>(23i))) | (_e2227 & 8388607u)));
+                                            phi_4585_ = f32();
                                         } else {
-                                            if (_e2226 < -24i) {
-                                                phi_4546_ = 26u;
+                                            if (_e2229 < -24i) {
+                                                phi_4550_ = 26u;
                                             } else {
-                                                phi_4546_ = bitcast<u32>((1i - _e2226));
+                                                phi_4550_ = bitcast<u32>((1i - _e2229));
                                             }
-                                            let _e2233 = phi_4546_;
-                                            let _e2234 = (_e2233 & 31u);
-                                            let _e2236 = (_e2224 >> bitcast<u32>(_e2234));
-                                            let _e2240 = (_e2224 & ((1u << bitcast<u32>(_e2234)) - 1u));
-                                            let _e2244 = (1u << bitcast<u32>(((_e2233 - 1u) & 31u)));
-                                            if (_e2240 > _e2244) {
-                                                phi_4567_ = true;
+                                            let _e2236 = phi_4550_;
+                                            let _e2237 = (_e2236 & 31u);
+                                            let _e2239 = (_e2227 >> bitcast<u32>(_e2237));
+                                            let _e2243 = (_e2227 & ((1u << bitcast<u32>(_e2237)) - 1u));
+                                            let _e2247 = (1u << bitcast<u32>(((_e2236 - 1u) & 31u)));
+                                            if (_e2243 > _e2247) {
+                                                phi_4571_ = true;
                                             } else {
-                                                if (_e2240 == _e2244) {
-                                                    phi_4564_ = ((_e2236 & 1u) == 1u);
+                                                if (_e2243 == _e2247) {
+                                                    phi_4568_ = ((_e2239 & 1u) == 1u);
                                                 } else {
-                                                    phi_4564_ = false;
+                                                    phi_4568_ = false;
                                                 }
-                                                let _e2250 = phi_4564_;
-                                                phi_4567_ = _e2250;
+                                                let _e2253 = phi_4568_;
+                                                phi_4571_ = _e2253;
                                             }
-                                            let _e2252 = phi_4567_;
-                                            phi_4580_ = f32();
-                                            phi_4581_ = bitcast<f32>((_e2205 | (_e2236 + select(0u, 1u, _e2252))));
+                                            let _e2255 = phi_4571_;
+                                            phi_4584_ = f32();
+                                            phi_4585_ = bitcast<f32>((_e2208 | (_e2239 + select(0u, 1u, _e2255))));
                                         }
-                                        let _e2265 = phi_4580_;
-                                        let _e2267 = phi_4581_;
-                                        phi_4586_ = _e2265;
-                                        phi_4587_ = _e2267;
-                                        phi_4588_ = _e2228;
+                                        let _e2268 = phi_4584_;
+                                        let _e2270 = phi_4585_;
+                                        phi_4590_ = _e2268;
+                                        phi_4591_ = _e2270;
+                                        phi_4592_ = _e2231;
                                     }
-                                    let _e2271 = phi_4586_;
-                                    let _e2273 = phi_4587_;
-                                    let _e2275 = phi_4588_;
-                                    phi_4596_ = select(_e2273, _e2271, _e2275);
+                                    let _e2274 = phi_4590_;
+                                    let _e2276 = phi_4591_;
+                                    let _e2278 = phi_4592_;
+                                    phi_4600_ = select(_e2276, _e2274, _e2278);
                                 }
-                                let _e2279 = phi_4596_;
-                                phi_4340_ = _e2279;
+                                let _e2282 = phi_4600_;
+                                phi_4344_ = _e2282;
                             } else {
-                                phi_4340_ = _e2202;
+                                phi_4344_ = _e2205;
                             }
-                            let _e2281 = phi_4340_;
-                            phi_4341_ = _e2281;
+                            let _e2284 = phi_4344_;
+                            phi_4345_ = _e2284;
                         }
-                        let _e2283 = phi_4341_;
-                        let _e2284 = bitcast<u32>(_e2283);
-                        if ((_e2284 & 2147483647u) >= 2139095040u) {
-                            phi_4353_ = bitcast<f32>(((_e2284 & 2147483648u) | 2139095039u));
+                        let _e2286 = phi_4345_;
+                        let _e2287 = bitcast<u32>(_e2286);
+                        if ((_e2287 & 2147483647u) >= 2139095040u) {
+                            phi_4357_ = bitcast<f32>(((_e2287 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4353_ = _e2283;
+                            phi_4357_ = _e2286;
                         }
-                        let _e2291 = phi_4353_;
-                        phi_4358_ = type_24(_e2291, _e2173.member.member_1, _e2173.member.member_2, _e2173.member.member_3);
+                        let _e2294 = phi_4357_;
+                        phi_4362_ = type_24(_e2294, _e2176.member.member_1, _e2176.member.member_2, _e2176.member.member_3);
                     } else {
-                        phi_4358_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4362_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2296 = phi_4358_;
+                    let _e2299 = phi_4362_;
                     if _e158 {
                     } else {
                         break;
                     }
-                    global_6.member[_e156] = _e2296;
+                    global_6.member[_e156] = _e2299;
                 }
             }
             break;

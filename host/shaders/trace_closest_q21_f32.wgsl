@@ -127,34 +127,16 @@ fn function_() {
     var phi_1056_: u32;
     var phi_1064_: f32;
     var phi_1065_: f32;
-    var phi_3971_: bool;
+    var phi_3975_: bool;
     var phi_1161_: type_34;
-    var phi_1164_: bool;
-    var phi_1166_: u32;
+    var phi_1164_: u32;
+    var phi_1166_: bool;
     var phi_1168_: u32;
     var phi_1170_: type_50;
     var phi_1181_: bool;
     var phi_1267_: bool;
     var phi_1268_: u32;
     var phi_1269_: type_50;
-    var phi_3091_: u32;
-    var phi_3092_: u32;
-    var phi_3102_: u32;
-    var phi_3104_: u32;
-    var phi_3105_: bool;
-    var phi_3125_: u32;
-    var phi_3126_: u32;
-    var phi_3130_: type_51;
-    var phi_3492_: type_50;
-    var phi_3569_: type_50;
-    var phi_3570_: u32;
-    var phi_3571_: type_50;
-    var phi_3573_: u32;
-    var phi_3574_: type_50;
-    var phi_3575_: bool;
-    var phi_3584_: type_50;
-    var phi_3589_: bool;
-    var phi_3591_: type_50;
     var phi_1287_: type_34;
     var phi_1290_: type_4;
     var phi_1291_: type_4;
@@ -202,51 +184,70 @@ fn function_() {
     var phi_2358_: type_34;
     var phi_2359_: type_34;
     var phi_1288_: type_34;
-    var phi_3965_: bool;
-    var phi_4129_: bool;
-    var phi_3595_: type_34;
-    var phi_3596_: bool;
-    var phi_3597_: u32;
-    var phi_3598_: type_50;
-    var phi_4128_: bool;
-    var phi_3599_: type_34;
-    var phi_3600_: bool;
-    var phi_3601_: u32;
-    var phi_3602_: u32;
-    var phi_3603_: type_50;
-    var phi_4127_: bool;
-    var phi_3604_: type_34;
+    var phi_3969_: bool;
+    var phi_4215_: bool;
+    var phi_2360_: type_34;
+    var phi_3087_: u32;
+    var phi_3088_: u32;
+    var phi_3098_: u32;
+    var phi_3100_: u32;
+    var phi_3101_: bool;
+    var phi_3121_: u32;
+    var phi_3122_: u32;
+    var phi_3126_: type_51;
+    var phi_3488_: type_50;
+    var phi_3564_: type_50;
+    var phi_3565_: u32;
+    var phi_3566_: type_50;
+    var phi_3568_: u32;
+    var phi_3569_: type_50;
+    var phi_3570_: bool;
+    var phi_3579_: type_50;
+    var phi_3584_: bool;
+    var phi_3586_: type_50;
+    var phi_3590_: bool;
+    var phi_3591_: u32;
+    var phi_3592_: type_50;
+    var phi_3602_: type_50;
+    var phi_4132_: bool;
+    var phi_3603_: type_34;
+    var phi_3604_: u32;
     var phi_3605_: bool;
     var phi_3606_: u32;
-    var phi_3607_: u32;
-    var phi_3608_: type_50;
-    var phi_4126_: bool;
+    var phi_3607_: type_50;
+    var phi_4131_: bool;
+    var phi_3608_: type_34;
+    var phi_3609_: u32;
+    var phi_3610_: bool;
+    var phi_3611_: u32;
+    var phi_3612_: type_50;
+    var phi_4130_: bool;
     var phi_1162_: type_34;
-    var phi_1165_: bool;
-    var phi_1167_: u32;
+    var phi_1165_: u32;
+    var phi_1167_: bool;
     var phi_1169_: u32;
     var phi_1171_: type_50;
-    var phi_3609_: bool;
-    var phi_4125_: bool;
+    var phi_3613_: bool;
+    var phi_4129_: bool;
     var local_10: type_34;
-    var phi_3647_: f32;
-    var phi_3649_: f32;
-    var phi_3650_: bool;
     var phi_3651_: f32;
-    var phi_3652_: bool;
-    var phi_3873_: u32;
-    var phi_3891_: bool;
-    var phi_3894_: bool;
-    var phi_3907_: f32;
-    var phi_3908_: f32;
-    var phi_3913_: f32;
-    var phi_3914_: f32;
-    var phi_3915_: bool;
-    var phi_3923_: f32;
-    var phi_3667_: f32;
-    var phi_3668_: f32;
-    var phi_3680_: f32;
-    var phi_3685_: type_21;
+    var phi_3653_: f32;
+    var phi_3654_: bool;
+    var phi_3655_: f32;
+    var phi_3656_: bool;
+    var phi_3877_: u32;
+    var phi_3895_: bool;
+    var phi_3898_: bool;
+    var phi_3911_: f32;
+    var phi_3912_: f32;
+    var phi_3917_: f32;
+    var phi_3918_: f32;
+    var phi_3919_: bool;
+    var phi_3927_: f32;
+    var phi_3671_: f32;
+    var phi_3672_: f32;
+    var phi_3684_: f32;
+    var phi_3689_: type_21;
     var local_11: type_34;
 
     switch bitcast<i32>(0u) {
@@ -611,31 +612,31 @@ fn function_() {
                         break;
                     }
                     let _e649 = local[_e633];
-                    phi_3971_ = false;
+                    phi_3975_ = false;
                     phi_1161_ = type_34(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e615);
-                    phi_1164_ = (_e617 <= _e615);
-                    phi_1166_ = ((3u * _e92) + 1u);
+                    phi_1164_ = ((3u * _e92) + 1u);
+                    phi_1166_ = (_e617 <= _e615);
                     phi_1168_ = 0u;
                     phi_1170_ = type_50(type_29(vec4<f32>((f32(_e624) * _e142), (f32(_e630) * _e142), (f32(_e636) * _e142), 0f), vec4<f32>((f32(_e641) * _e142), (f32(_e645) * _e142), (f32(_e649) * _e142), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
                     loop {
-                        let _e659 = phi_3971_;
+                        let _e659 = phi_3975_;
                         let _e661 = phi_1161_;
                         let _e663 = phi_1164_;
                         let _e665 = phi_1166_;
                         let _e667 = phi_1168_;
                         let _e669 = phi_1170_;
                         local_10 = _e661;
-                        if _e663 {
+                        if _e665 {
                             phi_1181_ = true;
                         } else {
                             phi_1181_ = (_e667 > 0u);
                         }
                         let _e672 = phi_1181_;
                         if _e672 {
-                            let _e673 = (_e665 > 0u);
+                            let _e673 = (_e663 > 0u);
                             if _e673 {
-                                if _e663 {
-                                    phi_1267_ = _e663;
+                                if _e665 {
+                                    phi_1267_ = _e665;
                                     phi_1268_ = _e667;
                                     phi_1269_ = _e669;
                                 } else {
@@ -644,49 +645,49 @@ fn function_() {
                                     let _e676 = (_e675 < 128u);
                                     if _e676 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e678 = local_7[_e675];
                                     if _e676 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e680 = local_6[_e675];
                                     if _e676 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e682 = local_5[_e675];
                                     if _e676 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e684 = local_4[_e675];
                                     if _e676 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e686 = local_3[_e675];
                                     if _e676 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e688 = local_2[_e675];
                                     if _e676 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e693 = local_8[_e675];
                                     if _e676 {
                                     } else {
-                                        phi_4125_ = true;
+                                        phi_4129_ = true;
                                         break;
                                     }
                                     let _e696 = local_9[_e675];
@@ -698,929 +699,939 @@ fn function_() {
                                 let _e702 = phi_1268_;
                                 let _e704 = phi_1269_;
                                 if _e700 {
-                                    if ((_e704.member_1 & 2147483648u) != 0u) {
+                                    let _e708 = ((_e704.member_1 & 2147483648u) != 0u);
+                                    if _e708 {
                                         phi_1287_ = _e661;
                                         phi_1290_ = type_4(0u, ((_e704.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1172 = phi_1287_;
-                                            let _e1174 = phi_1290_;
-                                            local_11 = _e1172;
-                                            if (_e1174.member < _e1174.member_1) {
-                                                phi_1291_ = type_4((_e1174.member + 1u), _e1174.member_1);
-                                                phi_1313_ = type_4(1u, _e1174.member);
+                                            let _e715 = phi_1287_;
+                                            let _e717 = phi_1290_;
+                                            local_11 = _e715;
+                                            if (_e717.member < _e717.member_1) {
+                                                phi_1291_ = type_4((_e717.member + 1u), _e717.member_1);
+                                                phi_1313_ = type_4(1u, _e717.member);
                                             } else {
-                                                phi_1291_ = _e1174;
+                                                phi_1291_ = _e717;
                                                 phi_1313_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1187 = phi_1291_;
-                                            let _e1189 = phi_1313_;
-                                            let _e1193 = (bitcast<i32>(_e1189.member) != 0i);
-                                            if _e1193 {
-                                                let _e1194 = ((_e704.member_1 & 268435455u) + _e1189.member_1);
-                                                let _e1195 = (_e1194 < _e94);
-                                                if _e1195 {
-                                                    if _e1195 {
+                                            let _e730 = phi_1291_;
+                                            let _e732 = phi_1313_;
+                                            let _e736 = (bitcast<i32>(_e732.member) != 0i);
+                                            if _e736 {
+                                                let _e737 = ((_e704.member_1 & 268435455u) + _e732.member_1);
+                                                let _e738 = (_e737 < _e94);
+                                                if _e738 {
+                                                    if _e738 {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1199 = global_2.member[_e1194].member_1;
-                                                    phi_1334_ = _e1199;
+                                                    let _e742 = global_2.member[_e737].member_1;
+                                                    phi_1334_ = _e742;
                                                 } else {
                                                     phi_1334_ = 4294967295u;
                                                 }
-                                                let _e1201 = phi_1334_;
-                                                if (_e1194 >= _e94) {
+                                                let _e744 = phi_1334_;
+                                                if (_e737 >= _e94) {
                                                     phi_1426_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1195 {
+                                                    if _e738 {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
                                                     if (_e621 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1208 = global_2.member[_e1194].member[_e621];
+                                                    let _e751 = global_2.member[_e737].member[_e621];
                                                     if (_e627 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1214 = global_2.member[_e1194].member[_e627];
+                                                    let _e757 = global_2.member[_e737].member[_e627];
                                                     if (_e633 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1220 = global_2.member[_e1194].member[_e633];
-                                                    let _e1222 = (3u + _e621);
-                                                    if (_e1222 < 9u) {
+                                                    let _e763 = global_2.member[_e737].member[_e633];
+                                                    let _e765 = (3u + _e621);
+                                                    if (_e765 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1228 = global_2.member[_e1194].member[_e1222];
-                                                    let _e1229 = (3u + _e627);
-                                                    if (_e1229 < 9u) {
+                                                    let _e771 = global_2.member[_e737].member[_e765];
+                                                    let _e772 = (3u + _e627);
+                                                    if (_e772 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1235 = global_2.member[_e1194].member[_e1229];
-                                                    let _e1236 = (3u + _e633);
-                                                    if (_e1236 < 9u) {
+                                                    let _e778 = global_2.member[_e737].member[_e772];
+                                                    let _e779 = (3u + _e633);
+                                                    if (_e779 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1242 = global_2.member[_e1194].member[_e1236];
-                                                    let _e1244 = (6u + _e621);
-                                                    if (_e1244 < 9u) {
+                                                    let _e785 = global_2.member[_e737].member[_e779];
+                                                    let _e787 = (6u + _e621);
+                                                    if (_e787 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1250 = global_2.member[_e1194].member[_e1244];
-                                                    let _e1251 = (6u + _e627);
-                                                    if (_e1251 < 9u) {
+                                                    let _e793 = global_2.member[_e737].member[_e787];
+                                                    let _e794 = (6u + _e627);
+                                                    if (_e794 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1257 = global_2.member[_e1194].member[_e1251];
-                                                    let _e1258 = (6u + _e633);
-                                                    if (_e1258 < 9u) {
+                                                    let _e800 = global_2.member[_e737].member[_e794];
+                                                    let _e801 = (6u + _e633);
+                                                    if (_e801 < 9u) {
                                                     } else {
-                                                        phi_3965_ = true;
+                                                        phi_3969_ = true;
                                                         break;
                                                     }
-                                                    let _e1264 = global_2.member[_e1194].member[_e1258];
-                                                    phi_1426_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1208, _e1214, _e1220), array<f32, 3>(_e1228, _e1235, _e1242), array<f32, 3>(_e1250, _e1257, _e1264));
+                                                    let _e807 = global_2.member[_e737].member[_e801];
+                                                    phi_1426_ = array<array<f32, 3>, 3>(array<f32, 3>(_e751, _e757, _e763), array<f32, 3>(_e771, _e778, _e785), array<f32, 3>(_e793, _e800, _e807));
                                                 }
-                                                let _e1268 = phi_1426_;
-                                                let _e1276 = (_e1268[0][2] - _e463);
-                                                let _e1279 = (((_e1268[0][0] - _e326) * _e502) - (_e1276 * _e366));
-                                                let _e1282 = (((_e1268[0][1] - _e395) * _e502) - (_e1276 * _e434));
-                                                let _e1289 = (_e1268[1][2] - _e463);
-                                                let _e1292 = (((_e1268[1][0] - _e326) * _e502) - (_e1289 * _e366));
-                                                let _e1295 = (((_e1268[1][1] - _e395) * _e502) - (_e1289 * _e434));
-                                                let _e1302 = (_e1268[2][2] - _e463);
-                                                let _e1305 = (((_e1268[2][0] - _e326) * _e502) - (_e1302 * _e366));
-                                                let _e1308 = (((_e1268[2][1] - _e395) * _e502) - (_e1302 * _e434));
-                                                let _e1309 = (_e1305 * _e1295);
-                                                let _e1310 = (_e1308 * _e1292);
-                                                let _e1311 = (_e1279 * _e1308);
-                                                let _e1312 = (_e1282 * _e1305);
-                                                let _e1313 = (_e1292 * _e1282);
-                                                let _e1314 = (_e1295 * _e1279);
-                                                let _e1319 = (((_e1309 >= _e1310) && (_e1311 >= _e1312)) && (_e1313 >= _e1314));
-                                                if (_e1319 || (((_e1309 <= _e1310) && (_e1311 <= _e1312)) && (_e1313 <= _e1314))) {
-                                                    let _e1326 = select(-1f, 1f, _e1319);
-                                                    let _e1328 = ((_e1309 - _e1310) * _e1326);
-                                                    let _e1330 = select(0f, _e1328, (_e1328 > 0f));
-                                                    let _e1332 = ((_e1311 - _e1312) * _e1326);
-                                                    let _e1334 = select(0f, _e1332, (_e1332 > 0f));
-                                                    let _e1336 = ((_e1313 - _e1314) * _e1326);
-                                                    let _e1338 = select(0f, _e1336, (_e1336 > 0f));
-                                                    let _e1340 = ((_e1330 + _e1334) + _e1338);
-                                                    if (_e1340 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e811 = phi_1426_;
+                                                let _e819 = (_e811[0][2] - _e463);
+                                                let _e822 = (((_e811[0][0] - _e326) * _e502) - (_e819 * _e366));
+                                                let _e825 = (((_e811[0][1] - _e395) * _e502) - (_e819 * _e434));
+                                                let _e832 = (_e811[1][2] - _e463);
+                                                let _e835 = (((_e811[1][0] - _e326) * _e502) - (_e832 * _e366));
+                                                let _e838 = (((_e811[1][1] - _e395) * _e502) - (_e832 * _e434));
+                                                let _e845 = (_e811[2][2] - _e463);
+                                                let _e848 = (((_e811[2][0] - _e326) * _e502) - (_e845 * _e366));
+                                                let _e851 = (((_e811[2][1] - _e395) * _e502) - (_e845 * _e434));
+                                                let _e852 = (_e848 * _e838);
+                                                let _e853 = (_e851 * _e835);
+                                                let _e854 = (_e822 * _e851);
+                                                let _e855 = (_e825 * _e848);
+                                                let _e856 = (_e835 * _e825);
+                                                let _e857 = (_e838 * _e822);
+                                                let _e862 = (((_e852 >= _e853) && (_e854 >= _e855)) && (_e856 >= _e857));
+                                                if (_e862 || (((_e852 <= _e853) && (_e854 <= _e855)) && (_e856 <= _e857))) {
+                                                    let _e869 = select(-1f, 1f, _e862);
+                                                    let _e871 = ((_e852 - _e853) * _e869);
+                                                    let _e873 = select(0f, _e871, (_e871 > 0f));
+                                                    let _e875 = ((_e854 - _e855) * _e869);
+                                                    let _e877 = select(0f, _e875, (_e875 > 0f));
+                                                    let _e879 = ((_e856 - _e857) * _e869);
+                                                    let _e881 = select(0f, _e879, (_e879 > 0f));
+                                                    let _e883 = ((_e873 + _e877) + _e881);
+                                                    if (_e883 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2310_ = type_21();
                                                         phi_2311_ = true;
                                                         phi_2312_ = false;
                                                     } else {
-                                                        let _e1343 = select(_e1292, _e1279, (_e1279 < _e1292));
-                                                        if (select(_e1305, _e1343, (_e1343 < _e1305)) > 0f) {
+                                                        let _e886 = select(_e835, _e822, (_e822 < _e835));
+                                                        if (select(_e848, _e886, (_e886 < _e848)) > 0f) {
                                                             phi_1578_ = true;
                                                         } else {
-                                                            let _e1348 = select(_e1292, _e1279, (_e1279 > _e1292));
-                                                            phi_1578_ = (select(_e1305, _e1348, (_e1348 > _e1305)) < 0f);
+                                                            let _e891 = select(_e835, _e822, (_e822 > _e835));
+                                                            phi_1578_ = (select(_e848, _e891, (_e891 > _e848)) < 0f);
                                                         }
-                                                        let _e1353 = phi_1578_;
-                                                        if _e1353 {
+                                                        let _e896 = phi_1578_;
+                                                        if _e896 {
                                                             phi_2307_ = type_21();
                                                             phi_2308_ = true;
                                                             phi_2309_ = false;
                                                         } else {
-                                                            let _e1355 = select(_e1295, _e1282, (_e1282 < _e1295));
-                                                            if (select(_e1308, _e1355, (_e1355 < _e1308)) > 0f) {
+                                                            let _e898 = select(_e838, _e825, (_e825 < _e838));
+                                                            if (select(_e851, _e898, (_e898 < _e851)) > 0f) {
                                                                 phi_1607_ = true;
                                                             } else {
-                                                                let _e1360 = select(_e1295, _e1282, (_e1282 > _e1295));
-                                                                phi_1607_ = (select(_e1308, _e1360, (_e1360 > _e1308)) < 0f);
+                                                                let _e903 = select(_e838, _e825, (_e825 > _e838));
+                                                                phi_1607_ = (select(_e851, _e903, (_e903 > _e851)) < 0f);
                                                             }
-                                                            let _e1365 = phi_1607_;
-                                                            if _e1365 {
+                                                            let _e908 = phi_1607_;
+                                                            if _e908 {
                                                                 phi_2305_ = type_21();
                                                                 phi_2306_ = false;
                                                             } else {
-                                                                let _e1367 = select(_e1268[1][0], _e1268[0][0], (_e1268[0][0] < _e1268[1][0]));
-                                                                let _e1371 = select(_e1268[1][0], _e1268[0][0], (_e1268[0][0] > _e1268[1][0]));
-                                                                let _e1375 = select(_e1268[1][1], _e1268[0][1], (_e1268[0][1] < _e1268[1][1]));
-                                                                let _e1379 = select(_e1268[1][1], _e1268[0][1], (_e1268[0][1] > _e1268[1][1]));
-                                                                let _e1383 = select(_e1268[1][2], _e1268[0][2], (_e1268[0][2] < _e1268[1][2]));
-                                                                let _e1387 = select(_e1268[1][2], _e1268[0][2], (_e1268[0][2] > _e1268[1][2]));
-                                                                let _e1392 = ((select(_e1268[2][0], _e1367, (_e1367 < _e1268[2][0])) - _e364) * _e369);
-                                                                let _e1393 = ((select(_e1268[2][0], _e1371, (_e1371 > _e1268[2][0])) - _e365) * _e369);
-                                                                let _e1396 = ((select(_e1268[2][1], _e1375, (_e1375 < _e1268[2][1])) - _e432) * _e437);
-                                                                let _e1397 = ((select(_e1268[2][1], _e1379, (_e1379 > _e1268[2][1])) - _e433) * _e437);
-                                                                let _e1400 = ((select(_e1268[2][2], _e1383, (_e1383 < _e1268[2][2])) - _e500) * _e505);
-                                                                let _e1401 = ((select(_e1268[2][2], _e1387, (_e1387 > _e1268[2][2])) - _e501) * _e505);
-                                                                let _e1403 = select(_e1401, _e1400, (_e1400 < _e1401));
-                                                                let _e1405 = select(_e1401, _e1400, (_e1400 > _e1401));
-                                                                let _e1407 = select(_e1393, _e1392, (_e1392 < _e1393));
-                                                                let _e1409 = select(_e1397, _e1396, (_e1396 < _e1397));
-                                                                let _e1411 = select(_e1409, _e1407, (_e1407 > _e1409));
-                                                                let _e1413 = select(_e1403, _e1411, (_e1411 > _e1403));
-                                                                let _e1415 = select(_e1393, _e1392, (_e1392 > _e1393));
-                                                                let _e1417 = select(_e1397, _e1396, (_e1396 > _e1397));
-                                                                let _e1419 = select(_e1417, _e1415, (_e1415 < _e1417));
-                                                                let _e1421 = select(_e1405, _e1419, (_e1419 < _e1405));
-                                                                let _e1422 = -(_e1403);
-                                                                let _e1428 = select(_e617, _e1413, (_e1413 > _e617));
-                                                                if (_e1428 > (_e1421 + (select(_e1422, _e1405, (_e1405 > _e1422)) * 0.0000019073523f))) {
+                                                                let _e910 = select(_e811[1][0], _e811[0][0], (_e811[0][0] < _e811[1][0]));
+                                                                let _e914 = select(_e811[1][0], _e811[0][0], (_e811[0][0] > _e811[1][0]));
+                                                                let _e918 = select(_e811[1][1], _e811[0][1], (_e811[0][1] < _e811[1][1]));
+                                                                let _e922 = select(_e811[1][1], _e811[0][1], (_e811[0][1] > _e811[1][1]));
+                                                                let _e926 = select(_e811[1][2], _e811[0][2], (_e811[0][2] < _e811[1][2]));
+                                                                let _e930 = select(_e811[1][2], _e811[0][2], (_e811[0][2] > _e811[1][2]));
+                                                                let _e935 = ((select(_e811[2][0], _e910, (_e910 < _e811[2][0])) - _e364) * _e369);
+                                                                let _e936 = ((select(_e811[2][0], _e914, (_e914 > _e811[2][0])) - _e365) * _e369);
+                                                                let _e939 = ((select(_e811[2][1], _e918, (_e918 < _e811[2][1])) - _e432) * _e437);
+                                                                let _e940 = ((select(_e811[2][1], _e922, (_e922 > _e811[2][1])) - _e433) * _e437);
+                                                                let _e943 = ((select(_e811[2][2], _e926, (_e926 < _e811[2][2])) - _e500) * _e505);
+                                                                let _e944 = ((select(_e811[2][2], _e930, (_e930 > _e811[2][2])) - _e501) * _e505);
+                                                                let _e946 = select(_e944, _e943, (_e943 < _e944));
+                                                                let _e948 = select(_e944, _e943, (_e943 > _e944));
+                                                                let _e950 = select(_e936, _e935, (_e935 < _e936));
+                                                                let _e952 = select(_e940, _e939, (_e939 < _e940));
+                                                                let _e954 = select(_e952, _e950, (_e950 > _e952));
+                                                                let _e956 = select(_e946, _e954, (_e954 > _e946));
+                                                                let _e958 = select(_e936, _e935, (_e935 > _e936));
+                                                                let _e960 = select(_e940, _e939, (_e939 > _e940));
+                                                                let _e962 = select(_e960, _e958, (_e958 < _e960));
+                                                                let _e964 = select(_e948, _e962, (_e962 < _e948));
+                                                                let _e965 = -(_e946);
+                                                                let _e971 = select(_e617, _e956, (_e956 > _e617));
+                                                                if (_e971 > (_e964 + (select(_e965, _e948, (_e948 > _e965)) * 0.0000019073523f))) {
                                                                     phi_2300_ = type_21();
                                                                     phi_2301_ = true;
                                                                 } else {
-                                                                    let _e1430 = (_e1428 > _e1172.member_1);
-                                                                    if _e1430 {
+                                                                    let _e973 = (_e971 > _e715.member_1);
+                                                                    if _e973 {
                                                                         phi_2299_ = type_21();
                                                                     } else {
-                                                                        let _e1431 = vec3<f32>(_e1268[0][0], _e1268[0][1], _e1268[0][2]);
-                                                                        let _e1432 = vec3<f32>(_e1268[1][0], _e1268[1][1], _e1268[1][2]);
-                                                                        let _e1433 = vec3<f32>(_e1268[2][0], _e1268[2][1], _e1268[2][2]);
-                                                                        let _e1434 = (_e1268[1][0] - _e1268[0][0]);
-                                                                        let _e1435 = (_e1268[1][1] - _e1268[0][1]);
-                                                                        let _e1436 = (_e1268[1][2] - _e1268[0][2]);
-                                                                        let _e1437 = vec3<f32>(_e1434, _e1435, _e1436);
-                                                                        let _e1438 = (_e1268[2][0] - _e1268[1][0]);
-                                                                        let _e1439 = (_e1268[2][1] - _e1268[1][1]);
-                                                                        let _e1440 = (_e1268[2][2] - _e1268[1][2]);
-                                                                        let _e1441 = vec3<f32>(_e1438, _e1439, _e1440);
-                                                                        let _e1442 = (_e1268[0][0] - _e1268[2][0]);
-                                                                        let _e1443 = (_e1268[0][1] - _e1268[2][1]);
-                                                                        let _e1444 = (_e1268[0][2] - _e1268[2][2]);
-                                                                        let _e1445 = vec3<f32>(_e1442, _e1443, _e1444);
-                                                                        let _e1448 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
-                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
-                                                                        let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
-                                                                        let _e1456 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
-                                                                        let _e1458 = select(_e1456, _e1453, (_e1453 > _e1456));
-                                                                        let _e1461 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
-                                                                        let _e1464 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
-                                                                        let _e1466 = select(_e1464, _e1461, (_e1461 > _e1464));
-                                                                        let _e1469 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
-                                                                        let _e1471 = select(_e1469, _e1466, (_e1466 > _e1469));
-                                                                        let _e1474 = bitcast<f32>((bitcast<u32>(_e1442) & 2147483647u));
-                                                                        let _e1477 = bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u));
-                                                                        let _e1479 = select(_e1477, _e1474, (_e1474 > _e1477));
-                                                                        let _e1482 = bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u));
-                                                                        let _e1484 = select(_e1482, _e1479, (_e1479 > _e1482));
-                                                                        let _e1486 = select(_e1471, _e1458, (_e1458 > _e1471));
-                                                                        let _e1488 = select(_e1484, _e1486, (_e1486 > _e1484));
-                                                                        if (_e1458 == _e1488) {
-                                                                            phi_2026_ = _e1295;
-                                                                            phi_2027_ = _e1292;
-                                                                            phi_2028_ = _e1282;
-                                                                            phi_2029_ = _e1279;
-                                                                            phi_2030_ = _e1431;
-                                                                            phi_2031_ = _e1445;
-                                                                            phi_2032_ = _e1441;
-                                                                            phi_2033_ = _e1437;
+                                                                        let _e974 = vec3<f32>(_e811[0][0], _e811[0][1], _e811[0][2]);
+                                                                        let _e975 = vec3<f32>(_e811[1][0], _e811[1][1], _e811[1][2]);
+                                                                        let _e976 = vec3<f32>(_e811[2][0], _e811[2][1], _e811[2][2]);
+                                                                        let _e977 = (_e811[1][0] - _e811[0][0]);
+                                                                        let _e978 = (_e811[1][1] - _e811[0][1]);
+                                                                        let _e979 = (_e811[1][2] - _e811[0][2]);
+                                                                        let _e980 = vec3<f32>(_e977, _e978, _e979);
+                                                                        let _e981 = (_e811[2][0] - _e811[1][0]);
+                                                                        let _e982 = (_e811[2][1] - _e811[1][1]);
+                                                                        let _e983 = (_e811[2][2] - _e811[1][2]);
+                                                                        let _e984 = vec3<f32>(_e981, _e982, _e983);
+                                                                        let _e985 = (_e811[0][0] - _e811[2][0]);
+                                                                        let _e986 = (_e811[0][1] - _e811[2][1]);
+                                                                        let _e987 = (_e811[0][2] - _e811[2][2]);
+                                                                        let _e988 = vec3<f32>(_e985, _e986, _e987);
+                                                                        let _e991 = bitcast<f32>((bitcast<u32>(_e977) & 2147483647u));
+                                                                        let _e994 = bitcast<f32>((bitcast<u32>(_e978) & 2147483647u));
+                                                                        let _e996 = select(_e994, _e991, (_e991 > _e994));
+                                                                        let _e999 = bitcast<f32>((bitcast<u32>(_e979) & 2147483647u));
+                                                                        let _e1001 = select(_e999, _e996, (_e996 > _e999));
+                                                                        let _e1004 = bitcast<f32>((bitcast<u32>(_e981) & 2147483647u));
+                                                                        let _e1007 = bitcast<f32>((bitcast<u32>(_e982) & 2147483647u));
+                                                                        let _e1009 = select(_e1007, _e1004, (_e1004 > _e1007));
+                                                                        let _e1012 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
+                                                                        let _e1014 = select(_e1012, _e1009, (_e1009 > _e1012));
+                                                                        let _e1017 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
+                                                                        let _e1020 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
+                                                                        let _e1022 = select(_e1020, _e1017, (_e1017 > _e1020));
+                                                                        let _e1025 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
+                                                                        let _e1027 = select(_e1025, _e1022, (_e1022 > _e1025));
+                                                                        let _e1029 = select(_e1014, _e1001, (_e1001 > _e1014));
+                                                                        let _e1031 = select(_e1027, _e1029, (_e1029 > _e1027));
+                                                                        if (_e1001 == _e1031) {
+                                                                            phi_2026_ = _e838;
+                                                                            phi_2027_ = _e835;
+                                                                            phi_2028_ = _e825;
+                                                                            phi_2029_ = _e822;
+                                                                            phi_2030_ = _e974;
+                                                                            phi_2031_ = _e988;
+                                                                            phi_2032_ = _e984;
+                                                                            phi_2033_ = _e980;
                                                                         } else {
-                                                                            let _e1490 = (_e1471 == _e1488);
-                                                                            let _e1495 = vec3(_e1490);
-                                                                            phi_2026_ = select(_e1282, _e1308, _e1490);
-                                                                            phi_2027_ = select(_e1279, _e1305, _e1490);
-                                                                            phi_2028_ = select(_e1308, _e1295, _e1490);
-                                                                            phi_2029_ = select(_e1305, _e1292, _e1490);
-                                                                            phi_2030_ = select(_e1433, _e1432, _e1495);
-                                                                            phi_2031_ = select(_e1441, _e1437, _e1495);
-                                                                            phi_2032_ = select(_e1437, _e1445, _e1495);
-                                                                            phi_2033_ = select(_e1445, _e1441, _e1495);
+                                                                            let _e1033 = (_e1014 == _e1031);
+                                                                            let _e1038 = vec3(_e1033);
+                                                                            phi_2026_ = select(_e825, _e851, _e1033);
+                                                                            phi_2027_ = select(_e822, _e848, _e1033);
+                                                                            phi_2028_ = select(_e851, _e838, _e1033);
+                                                                            phi_2029_ = select(_e848, _e835, _e1033);
+                                                                            phi_2030_ = select(_e976, _e975, _e1038);
+                                                                            phi_2031_ = select(_e984, _e980, _e1038);
+                                                                            phi_2032_ = select(_e980, _e988, _e1038);
+                                                                            phi_2033_ = select(_e988, _e984, _e1038);
                                                                         }
-                                                                        let _e1501 = phi_2026_;
-                                                                        let _e1503 = phi_2027_;
-                                                                        let _e1505 = phi_2028_;
-                                                                        let _e1507 = phi_2029_;
-                                                                        let _e1509 = phi_2030_;
-                                                                        let _e1511 = phi_2031_;
-                                                                        let _e1513 = phi_2032_;
-                                                                        let _e1515 = phi_2033_;
-                                                                        let _e1522 = ((_e1513.y * _e1511.z) - (_e1511.y * _e1513.z));
-                                                                        let _e1527 = ((_e1513.z * _e1511.x) - (_e1511.z * _e1513.x));
-                                                                        let _e1530 = ((_e1513.x * _e1511.y) - (_e1511.x * _e1513.y));
-                                                                        if (_e1330 >= _e1334) {
-                                                                            phi_2070_ = select(true, false, (_e1330 >= _e1338));
+                                                                        let _e1044 = phi_2026_;
+                                                                        let _e1046 = phi_2027_;
+                                                                        let _e1048 = phi_2028_;
+                                                                        let _e1050 = phi_2029_;
+                                                                        let _e1052 = phi_2030_;
+                                                                        let _e1054 = phi_2031_;
+                                                                        let _e1056 = phi_2032_;
+                                                                        let _e1058 = phi_2033_;
+                                                                        let _e1065 = ((_e1056.y * _e1054.z) - (_e1054.y * _e1056.z));
+                                                                        let _e1070 = ((_e1056.z * _e1054.x) - (_e1054.z * _e1056.x));
+                                                                        let _e1073 = ((_e1056.x * _e1054.y) - (_e1054.x * _e1056.y));
+                                                                        if (_e873 >= _e877) {
+                                                                            phi_2070_ = select(true, false, (_e873 >= _e881));
                                                                         } else {
                                                                             phi_2070_ = true;
                                                                         }
-                                                                        let _e1535 = phi_2070_;
-                                                                        if _e1535 {
-                                                                            phi_2079_ = select(_e1433, _e1432, vec3((_e1334 >= _e1338)));
+                                                                        let _e1078 = phi_2070_;
+                                                                        if _e1078 {
+                                                                            phi_2079_ = select(_e976, _e975, vec3((_e877 >= _e881)));
                                                                         } else {
-                                                                            phi_2079_ = _e1431;
+                                                                            phi_2079_ = _e974;
                                                                         }
-                                                                        let _e1540 = phi_2079_;
-                                                                        let _e1551 = (((_e1522 * (_e1540.x - _e326)) + (_e1527 * (_e1540.y - _e395))) + (_e1530 * (_e1540.z - _e463)));
-                                                                        let _e1556 = (((_e1522 * _e366) + (_e1527 * _e434)) + (_e1530 * _e502));
-                                                                        let _e1557 = (_e1503 - _e1507);
-                                                                        let _e1558 = (_e1501 - _e1505);
-                                                                        let _e1566 = (-(((_e1507 * _e1557) + (_e1505 * _e1558))) / ((_e1557 * _e1557) + (_e1558 * _e1558)));
-                                                                        let _e1568 = select(1f, _e1566, (_e1566 < 1f));
-                                                                        let _e1570 = select(0f, _e1568, (_e1568 > 0f));
-                                                                        let _e1583 = ((_e1509.x + (_e1515.x * _e1570)) - _e326);
-                                                                        let _e1584 = ((_e1509.y + (_e1515.y * _e1570)) - _e395);
-                                                                        let _e1585 = ((_e1509.z + (_e1515.z * _e1570)) - _e463);
-                                                                        let _e1586 = (_e1585 / _e502);
-                                                                        let _e1598 = bitcast<f32>((bitcast<u32>(_e1583) & 2147483647u));
-                                                                        let _e1601 = bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u));
-                                                                        let _e1603 = select(_e1601, _e1598, (_e1598 > _e1601));
-                                                                        let _e1606 = bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u));
-                                                                        let _e1608 = select(_e1606, _e1603, (_e1603 > _e1606));
-                                                                        let _e1614 = bitcast<f32>((bitcast<u32>(_e1522) & 2147483647u));
-                                                                        let _e1617 = bitcast<f32>((bitcast<u32>(_e1527) & 2147483647u));
-                                                                        let _e1619 = select(_e1617, _e1614, (_e1614 > _e1617));
-                                                                        let _e1622 = bitcast<f32>((bitcast<u32>(_e1530) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1522 * _e1583) + (_e1527 * _e1584)) + (_e1530 * _e1585)) - _e1551)) & 2147483647u)) <= ((0.0000009536743f * select(_e1488, _e1608, (_e1608 > _e1488))) * select(_e1622, _e1619, (_e1619 > _e1622)))) {
-                                                                            let _e1632 = bitcast<f32>((bitcast<u32>(_e1513.x) & 2147483647u));
-                                                                            let _e1635 = bitcast<f32>((bitcast<u32>(_e1513.y) & 2147483647u));
-                                                                            let _e1637 = select(_e1635, _e1632, (_e1632 > _e1635));
-                                                                            let _e1640 = bitcast<f32>((bitcast<u32>(_e1513.z) & 2147483647u));
-                                                                            let _e1646 = bitcast<f32>((bitcast<u32>(_e1511.x) & 2147483647u));
-                                                                            let _e1649 = bitcast<f32>((bitcast<u32>(_e1511.y) & 2147483647u));
-                                                                            let _e1651 = select(_e1649, _e1646, (_e1646 > _e1649));
-                                                                            let _e1654 = bitcast<f32>((bitcast<u32>(_e1511.z) & 2147483647u));
-                                                                            let _e1658 = (bitcast<f32>((bitcast<u32>(_e1556) & 2147483647u)) > ((0.0000038146973f * select(_e1640, _e1637, (_e1637 > _e1640))) * select(_e1654, _e1651, (_e1651 > _e1654))));
-                                                                            if _e1658 {
-                                                                                phi_2244_ = (_e1551 / _e1556);
+                                                                        let _e1083 = phi_2079_;
+                                                                        let _e1094 = (((_e1065 * (_e1083.x - _e326)) + (_e1070 * (_e1083.y - _e395))) + (_e1073 * (_e1083.z - _e463)));
+                                                                        let _e1099 = (((_e1065 * _e366) + (_e1070 * _e434)) + (_e1073 * _e502));
+                                                                        let _e1100 = (_e1046 - _e1050);
+                                                                        let _e1101 = (_e1044 - _e1048);
+                                                                        let _e1109 = (-(((_e1050 * _e1100) + (_e1048 * _e1101))) / ((_e1100 * _e1100) + (_e1101 * _e1101)));
+                                                                        let _e1111 = select(1f, _e1109, (_e1109 < 1f));
+                                                                        let _e1113 = select(0f, _e1111, (_e1111 > 0f));
+                                                                        let _e1126 = ((_e1052.x + (_e1058.x * _e1113)) - _e326);
+                                                                        let _e1127 = ((_e1052.y + (_e1058.y * _e1113)) - _e395);
+                                                                        let _e1128 = ((_e1052.z + (_e1058.z * _e1113)) - _e463);
+                                                                        let _e1129 = (_e1128 / _e502);
+                                                                        let _e1141 = bitcast<f32>((bitcast<u32>(_e1126) & 2147483647u));
+                                                                        let _e1144 = bitcast<f32>((bitcast<u32>(_e1127) & 2147483647u));
+                                                                        let _e1146 = select(_e1144, _e1141, (_e1141 > _e1144));
+                                                                        let _e1149 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
+                                                                        let _e1151 = select(_e1149, _e1146, (_e1146 > _e1149));
+                                                                        let _e1157 = bitcast<f32>((bitcast<u32>(_e1065) & 2147483647u));
+                                                                        let _e1160 = bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u));
+                                                                        let _e1162 = select(_e1160, _e1157, (_e1157 > _e1160));
+                                                                        let _e1165 = bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1065 * _e1126) + (_e1070 * _e1127)) + (_e1073 * _e1128)) - _e1094)) & 2147483647u)) <= ((0.0000009536743f * select(_e1031, _e1151, (_e1151 > _e1031))) * select(_e1165, _e1162, (_e1162 > _e1165)))) {
+                                                                            let _e1175 = bitcast<f32>((bitcast<u32>(_e1056.x) & 2147483647u));
+                                                                            let _e1178 = bitcast<f32>((bitcast<u32>(_e1056.y) & 2147483647u));
+                                                                            let _e1180 = select(_e1178, _e1175, (_e1175 > _e1178));
+                                                                            let _e1183 = bitcast<f32>((bitcast<u32>(_e1056.z) & 2147483647u));
+                                                                            let _e1189 = bitcast<f32>((bitcast<u32>(_e1054.x) & 2147483647u));
+                                                                            let _e1192 = bitcast<f32>((bitcast<u32>(_e1054.y) & 2147483647u));
+                                                                            let _e1194 = select(_e1192, _e1189, (_e1189 > _e1192));
+                                                                            let _e1197 = bitcast<f32>((bitcast<u32>(_e1054.z) & 2147483647u));
+                                                                            let _e1201 = (bitcast<f32>((bitcast<u32>(_e1099) & 2147483647u)) > ((0.0000038146973f * select(_e1183, _e1180, (_e1180 > _e1183))) * select(_e1197, _e1194, (_e1194 > _e1197))));
+                                                                            if _e1201 {
+                                                                                phi_2244_ = (_e1094 / _e1099);
                                                                             } else {
                                                                                 phi_2244_ = f32();
                                                                             }
-                                                                            let _e1661 = phi_2244_;
-                                                                            phi_2246_ = _e1661;
-                                                                            phi_2247_ = select(true, false, _e1658);
+                                                                            let _e1204 = phi_2244_;
+                                                                            phi_2246_ = _e1204;
+                                                                            phi_2247_ = select(true, false, _e1201);
                                                                         } else {
                                                                             phi_2246_ = f32();
                                                                             phi_2247_ = true;
                                                                         }
-                                                                        let _e1664 = phi_2246_;
-                                                                        let _e1666 = phi_2247_;
-                                                                        if _e1666 {
-                                                                            let _e1674 = (((_e1522 * (_e1583 - (_e366 * _e1586))) + (_e1527 * (_e1584 - (_e434 * _e1586)))) / _e1556);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u)) <= _e1488) {
-                                                                                phi_2267_ = (_e1586 + _e1674);
+                                                                        let _e1207 = phi_2246_;
+                                                                        let _e1209 = phi_2247_;
+                                                                        if _e1209 {
+                                                                            let _e1217 = (((_e1065 * (_e1126 - (_e366 * _e1129))) + (_e1070 * (_e1127 - (_e434 * _e1129)))) / _e1099);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u)) <= _e1031) {
+                                                                                phi_2267_ = (_e1129 + _e1217);
                                                                             } else {
-                                                                                phi_2267_ = _e1586;
+                                                                                phi_2267_ = _e1129;
                                                                             }
-                                                                            let _e1681 = phi_2267_;
-                                                                            phi_2268_ = _e1681;
+                                                                            let _e1224 = phi_2267_;
+                                                                            phi_2268_ = _e1224;
                                                                         } else {
-                                                                            phi_2268_ = _e1664;
+                                                                            phi_2268_ = _e1207;
                                                                         }
-                                                                        let _e1683 = phi_2268_;
-                                                                        let _e1685 = select(_e1421, _e1683, (_e1683 < _e1421));
-                                                                        let _e1687 = select(_e1413, _e1685, (_e1685 > _e1413));
-                                                                        if (_e1687 >= _e617) {
-                                                                            let _e1689 = (_e1687 <= _e1172.member_1);
-                                                                            if _e1689 {
-                                                                                let _e1690 = (1f / _e1340);
-                                                                                phi_2291_ = type_21(_e1687, (_e1334 * _e1690), (_e1338 * _e1690), _e1201);
+                                                                        let _e1226 = phi_2268_;
+                                                                        let _e1228 = select(_e964, _e1226, (_e1226 < _e964));
+                                                                        let _e1230 = select(_e956, _e1228, (_e1228 > _e956));
+                                                                        if (_e1230 >= _e617) {
+                                                                            let _e1232 = (_e1230 <= _e715.member_1);
+                                                                            if _e1232 {
+                                                                                let _e1233 = (1f / _e883);
+                                                                                phi_2291_ = type_21(_e1230, (_e877 * _e1233), (_e881 * _e1233), _e744);
                                                                             } else {
                                                                                 phi_2291_ = type_21();
                                                                             }
-                                                                            let _e1695 = phi_2291_;
-                                                                            phi_2293_ = _e1695;
-                                                                            phi_2294_ = select(true, false, _e1689);
+                                                                            let _e1238 = phi_2291_;
+                                                                            phi_2293_ = _e1238;
+                                                                            phi_2294_ = select(true, false, _e1232);
                                                                         } else {
                                                                             phi_2293_ = type_21();
                                                                             phi_2294_ = true;
                                                                         }
-                                                                        let _e1698 = phi_2293_;
-                                                                        let _e1700 = phi_2294_;
-                                                                        if _e1700 {
+                                                                        let _e1241 = phi_2293_;
+                                                                        let _e1243 = phi_2294_;
+                                                                        if _e1243 {
                                                                             phi_2298_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2298_ = _e1698;
+                                                                            phi_2298_ = _e1241;
                                                                         }
-                                                                        let _e1702 = phi_2298_;
-                                                                        phi_2299_ = _e1702;
+                                                                        let _e1245 = phi_2298_;
+                                                                        phi_2299_ = _e1245;
                                                                     }
-                                                                    let _e1704 = phi_2299_;
-                                                                    phi_2300_ = _e1704;
-                                                                    phi_2301_ = _e1430;
+                                                                    let _e1247 = phi_2299_;
+                                                                    phi_2300_ = _e1247;
+                                                                    phi_2301_ = _e973;
                                                                 }
-                                                                let _e1706 = phi_2300_;
-                                                                let _e1708 = phi_2301_;
-                                                                phi_2305_ = _e1706;
-                                                                phi_2306_ = _e1708;
+                                                                let _e1249 = phi_2300_;
+                                                                let _e1251 = phi_2301_;
+                                                                phi_2305_ = _e1249;
+                                                                phi_2306_ = _e1251;
                                                             }
-                                                            let _e1710 = phi_2305_;
-                                                            let _e1712 = phi_2306_;
-                                                            phi_2307_ = _e1710;
-                                                            phi_2308_ = _e1365;
-                                                            phi_2309_ = _e1712;
+                                                            let _e1253 = phi_2305_;
+                                                            let _e1255 = phi_2306_;
+                                                            phi_2307_ = _e1253;
+                                                            phi_2308_ = _e908;
+                                                            phi_2309_ = _e1255;
                                                         }
-                                                        let _e1714 = phi_2307_;
-                                                        let _e1716 = phi_2308_;
-                                                        let _e1718 = phi_2309_;
-                                                        phi_2310_ = _e1714;
-                                                        phi_2311_ = _e1716;
-                                                        phi_2312_ = _e1718;
+                                                        let _e1257 = phi_2307_;
+                                                        let _e1259 = phi_2308_;
+                                                        let _e1261 = phi_2309_;
+                                                        phi_2310_ = _e1257;
+                                                        phi_2311_ = _e1259;
+                                                        phi_2312_ = _e1261;
                                                     }
-                                                    let _e1720 = phi_2310_;
-                                                    let _e1722 = phi_2311_;
-                                                    let _e1724 = phi_2312_;
-                                                    phi_2320_ = _e1720;
-                                                    phi_2321_ = select(_e1724, true, _e1722);
+                                                    let _e1263 = phi_2310_;
+                                                    let _e1265 = phi_2311_;
+                                                    let _e1267 = phi_2312_;
+                                                    phi_2320_ = _e1263;
+                                                    phi_2321_ = select(_e1267, true, _e1265);
                                                 } else {
                                                     phi_2320_ = type_21();
                                                     phi_2321_ = true;
                                                 }
-                                                let _e1727 = phi_2320_;
-                                                let _e1729 = phi_2321_;
-                                                if _e1729 {
+                                                let _e1270 = phi_2320_;
+                                                let _e1272 = phi_2321_;
+                                                if _e1272 {
                                                     phi_2325_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2325_ = _e1727;
+                                                    phi_2325_ = _e1270;
                                                 }
-                                                let _e1731 = phi_2325_;
-                                                if (_e1731.member_3 != 4294967295u) {
-                                                    if (_e1201 != 4294967295u) {
-                                                        if (_e1731.member < _e1172.member.member) {
+                                                let _e1274 = phi_2325_;
+                                                if (_e1274.member_3 != 4294967295u) {
+                                                    if (_e744 != 4294967295u) {
+                                                        if (_e1274.member < _e715.member.member) {
                                                             phi_2351_ = true;
                                                         } else {
-                                                            if (_e1731.member == _e1172.member.member) {
-                                                                phi_2350_ = (_e1731.member_3 < _e1172.member.member_3);
+                                                            if (_e1274.member == _e715.member.member) {
+                                                                phi_2350_ = (_e1274.member_3 < _e715.member.member_3);
                                                             } else {
                                                                 phi_2350_ = false;
                                                             }
-                                                            let _e1744 = phi_2350_;
-                                                            phi_2351_ = _e1744;
+                                                            let _e1287 = phi_2350_;
+                                                            phi_2351_ = _e1287;
                                                         }
-                                                        let _e1746 = phi_2351_;
-                                                        if _e1746 {
-                                                            phi_2357_ = type_34(_e1731, _e1731.member);
+                                                        let _e1289 = phi_2351_;
+                                                        if _e1289 {
+                                                            phi_2357_ = type_34(_e1274, _e1274.member);
                                                         } else {
-                                                            phi_2357_ = _e1172;
+                                                            phi_2357_ = _e715;
                                                         }
-                                                        let _e1749 = phi_2357_;
-                                                        phi_2358_ = _e1749;
+                                                        let _e1292 = phi_2357_;
+                                                        phi_2358_ = _e1292;
                                                     } else {
-                                                        phi_2358_ = _e1172;
+                                                        phi_2358_ = _e715;
                                                     }
-                                                    let _e1751 = phi_2358_;
-                                                    phi_2359_ = _e1751;
+                                                    let _e1294 = phi_2358_;
+                                                    phi_2359_ = _e1294;
                                                 } else {
-                                                    phi_2359_ = _e1172;
+                                                    phi_2359_ = _e715;
                                                 }
-                                                let _e1753 = phi_2359_;
-                                                phi_1288_ = _e1753;
+                                                let _e1296 = phi_2359_;
+                                                phi_1288_ = _e1296;
                                             } else {
                                                 phi_1288_ = type_34();
                                             }
-                                            let _e1755 = phi_1288_;
+                                            let _e1298 = phi_1288_;
                                             continue;
                                             continuing {
-                                                phi_1287_ = _e1755;
-                                                phi_1290_ = _e1187;
-                                                phi_3965_ = _e659;
-                                                break if !(_e1193);
+                                                phi_1287_ = _e1298;
+                                                phi_1290_ = _e730;
+                                                phi_3969_ = _e659;
+                                                break if !(_e736);
                                             }
                                         }
-                                        let _e1758 = phi_3965_;
-                                        phi_4125_ = _e1758;
-                                        if _e1758 {
+                                        let _e1301 = phi_3969_;
+                                        phi_4129_ = _e1301;
+                                        if _e1301 {
                                             break;
                                         }
-                                        phi_4129_ = _e1758;
-                                        let _e2051 = local_11;
-                                        phi_3595_ = _e2051;
-                                        phi_3596_ = false;
-                                        phi_3597_ = _e702;
-                                        phi_3598_ = _e704;
+                                        phi_4215_ = _e1301;
+                                        let _e2036 = local_11;
+                                        phi_2360_ = _e2036;
+                                    } else {
+                                        phi_4215_ = _e659;
+                                        phi_2360_ = _e661;
+                                    }
+                                    let _e1303 = phi_4215_;
+                                    let _e1305 = phi_2360_;
+                                    if _e708 {
+                                        phi_3590_ = bool();
+                                        phi_3591_ = u32();
+                                        phi_3592_ = type_50();
                                     } else {
                                         if (_e704.member_1 >= _e92) {
-                                            phi_3130_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3126_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e704.member_1 < _e92) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e715 = (_e262 * 2u);
-                                            let _e717 = ((1u + _e715) % 7u);
-                                            if (_e717 < 7u) {
+                                            let _e1308 = (_e262 * 2u);
+                                            let _e1310 = ((1u + _e1308) % 7u);
+                                            if (_e1310 < 7u) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e722 = global_5.member[_e704.member_1][_e717];
-                                            let _e724 = ((_e715 + 2u) % 7u);
-                                            if (_e724 < 7u) {
+                                            let _e1315 = global_5.member[_e704.member_1][_e1310];
+                                            let _e1317 = ((_e1308 + 2u) % 7u);
+                                            if (_e1317 < 7u) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e729 = global_5.member[_e704.member_1][_e724];
-                                            let _e730 = (_e261 * 2u);
-                                            let _e732 = ((1u + _e730) % 7u);
-                                            if (_e732 < 7u) {
+                                            let _e1322 = global_5.member[_e704.member_1][_e1317];
+                                            let _e1323 = (_e261 * 2u);
+                                            let _e1325 = ((1u + _e1323) % 7u);
+                                            if (_e1325 < 7u) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e737 = global_5.member[_e704.member_1][_e732];
-                                            let _e739 = ((_e730 + 2u) % 7u);
-                                            if (_e739 < 7u) {
+                                            let _e1330 = global_5.member[_e704.member_1][_e1325];
+                                            let _e1332 = ((_e1323 + 2u) % 7u);
+                                            if (_e1332 < 7u) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e744 = global_5.member[_e704.member_1][_e739];
-                                            let _e745 = (_e263 * 2u);
-                                            let _e747 = ((1u + _e745) % 7u);
-                                            if (_e747 < 7u) {
+                                            let _e1337 = global_5.member[_e704.member_1][_e1332];
+                                            let _e1338 = (_e263 * 2u);
+                                            let _e1340 = ((1u + _e1338) % 7u);
+                                            if (_e1340 < 7u) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e752 = global_5.member[_e704.member_1][_e747];
-                                            let _e754 = ((_e745 + 2u) % 7u);
-                                            if (_e754 < 7u) {
+                                            let _e1345 = global_5.member[_e704.member_1][_e1340];
+                                            let _e1347 = ((_e1338 + 2u) % 7u);
+                                            if (_e1347 < 7u) {
                                             } else {
-                                                phi_4125_ = true;
+                                                phi_4129_ = true;
                                                 break;
                                             }
-                                            let _e759 = global_5.member[_e704.member_1][_e754];
-                                            let _e782 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e783 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e784 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e786 = select(_e142, _e782, (_e782 > _e142));
-                                            let _e788 = select(_e142, _e783, (_e783 > _e142));
-                                            let _e790 = select(_e142, _e784, (_e784 > _e142));
-                                            let _e821 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e722 & 2097151u))) - 8388608f) * _e786));
-                                            let _e826 = (bitcast<i32>((_e722 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e829 = bitcast<f32>((_e821 & bitcast<u32>(_e826)));
-                                            let _e830 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e737 & 2097151u))) - 8388608f) * _e788));
-                                            let _e835 = (bitcast<i32>((_e737 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e838 = bitcast<f32>((_e830 & bitcast<u32>(_e835)));
-                                            let _e839 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e752 & 2097151u))) - 8388608f) * _e790));
-                                            let _e844 = (bitcast<i32>((_e752 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e847 = bitcast<f32>((_e839 & bitcast<u32>(_e844)));
-                                            let _e851 = bitcast<f32>((_e821 & bitcast<u32>(~(_e826))));
-                                            let _e855 = bitcast<f32>((_e830 & bitcast<u32>(~(_e835))));
-                                            let _e859 = bitcast<f32>((_e839 & bitcast<u32>(~(_e844))));
-                                            let _e860 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e729 & 2097151u))) - 8388608f) * _e786));
-                                            let _e865 = (bitcast<i32>((_e729 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e868 = bitcast<f32>((_e860 & bitcast<u32>(_e865)));
-                                            let _e869 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e744 & 2097151u))) - 8388608f) * _e788));
-                                            let _e874 = (bitcast<i32>((_e744 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e877 = bitcast<f32>((_e869 & bitcast<u32>(_e874)));
-                                            let _e878 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e759 & 2097151u))) - 8388608f) * _e790));
-                                            let _e883 = (bitcast<i32>((_e759 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e886 = bitcast<f32>((_e878 & bitcast<u32>(_e883)));
-                                            let _e890 = bitcast<f32>((_e860 & bitcast<u32>(~(_e865))));
-                                            let _e894 = bitcast<f32>((_e869 & bitcast<u32>(~(_e874))));
-                                            let _e898 = bitcast<f32>((_e878 & bitcast<u32>(~(_e883))));
-                                            let _e928 = global_5.member[_e704.member_1][0u];
-                                            let _e932 = global_5.member[_e704.member_1][2u];
-                                            let _e936 = global_5.member[_e704.member_1][4u];
-                                            let _e940 = global_5.member[_e704.member_1][6u];
-                                            let _e952 = (((_e932 >> bitcast<u32>(22i)) | ((_e936 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e940 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e953 = (_e928 & 268435455u);
-                                            let _e954 = (_e952 & 268435455u);
-                                            let _e957 = ((_e928 >> bitcast<u32>(28u)) & 7u);
-                                            let _e965 = ((_e928 >> bitcast<u32>(31i)) | (((_e952 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e966 = (_e957 != 0u);
-                                            if (_e957 == 0u) {
-                                                phi_3092_ = _e953;
+                                            let _e1352 = global_5.member[_e704.member_1][_e1347];
+                                            let _e1375 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1376 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1377 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1379 = select(_e142, _e1375, (_e1375 > _e142));
+                                            let _e1381 = select(_e142, _e1376, (_e1376 > _e142));
+                                            let _e1383 = select(_e142, _e1377, (_e1377 > _e142));
+                                            let _e1414 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1315 & 2097151u))) - 8388608f) * _e1379));
+                                            let _e1419 = (bitcast<i32>((_e1315 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1422 = bitcast<f32>((_e1414 & bitcast<u32>(_e1419)));
+                                            let _e1423 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1330 & 2097151u))) - 8388608f) * _e1381));
+                                            let _e1428 = (bitcast<i32>((_e1330 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1431 = bitcast<f32>((_e1423 & bitcast<u32>(_e1428)));
+                                            let _e1432 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1345 & 2097151u))) - 8388608f) * _e1383));
+                                            let _e1437 = (bitcast<i32>((_e1345 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1440 = bitcast<f32>((_e1432 & bitcast<u32>(_e1437)));
+                                            let _e1444 = bitcast<f32>((_e1414 & bitcast<u32>(~(_e1419))));
+                                            let _e1448 = bitcast<f32>((_e1423 & bitcast<u32>(~(_e1428))));
+                                            let _e1452 = bitcast<f32>((_e1432 & bitcast<u32>(~(_e1437))));
+                                            let _e1453 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1322 & 2097151u))) - 8388608f) * _e1379));
+                                            let _e1458 = (bitcast<i32>((_e1322 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1461 = bitcast<f32>((_e1453 & bitcast<u32>(_e1458)));
+                                            let _e1462 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1337 & 2097151u))) - 8388608f) * _e1381));
+                                            let _e1467 = (bitcast<i32>((_e1337 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1470 = bitcast<f32>((_e1462 & bitcast<u32>(_e1467)));
+                                            let _e1471 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1352 & 2097151u))) - 8388608f) * _e1383));
+                                            let _e1476 = (bitcast<i32>((_e1352 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1479 = bitcast<f32>((_e1471 & bitcast<u32>(_e1476)));
+                                            let _e1483 = bitcast<f32>((_e1453 & bitcast<u32>(~(_e1458))));
+                                            let _e1487 = bitcast<f32>((_e1462 & bitcast<u32>(~(_e1467))));
+                                            let _e1491 = bitcast<f32>((_e1471 & bitcast<u32>(~(_e1476))));
+                                            let _e1521 = global_5.member[_e704.member_1][0u];
+                                            let _e1525 = global_5.member[_e704.member_1][2u];
+                                            let _e1529 = global_5.member[_e704.member_1][4u];
+                                            let _e1533 = global_5.member[_e704.member_1][6u];
+                                            let _e1545 = (((_e1525 >> bitcast<u32>(22i)) | ((_e1529 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1533 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1546 = (_e1521 & 268435455u);
+                                            let _e1547 = (_e1545 & 268435455u);
+                                            let _e1550 = ((_e1521 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1558 = ((_e1521 >> bitcast<u32>(31i)) | (((_e1545 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1559 = (_e1550 != 0u);
+                                            if (_e1550 == 0u) {
+                                                phi_3088_ = _e1546;
                                             } else {
-                                                if (_e957 == 7u) {
-                                                    phi_3091_ = 2147483648u;
+                                                if (_e1550 == 7u) {
+                                                    phi_3087_ = 2147483648u;
                                                 } else {
-                                                    phi_3091_ = ((2147483648u | (_e957 << bitcast<u32>(28u))) | (_e954 & 268435455u));
+                                                    phi_3087_ = ((2147483648u | (_e1550 << bitcast<u32>(28u))) | (_e1547 & 268435455u));
                                                 }
-                                                let _e975 = phi_3091_;
-                                                phi_3092_ = _e975;
+                                                let _e1568 = phi_3087_;
+                                                phi_3088_ = _e1568;
                                             }
-                                            let _e977 = phi_3092_;
-                                            if _e966 {
-                                                let _e978 = (_e957 != 7u);
-                                                if _e978 {
-                                                    phi_3102_ = (_e954 + _e957);
+                                            let _e1570 = phi_3088_;
+                                            if _e1559 {
+                                                let _e1571 = (_e1550 != 7u);
+                                                if _e1571 {
+                                                    phi_3098_ = (_e1547 + _e1550);
                                                 } else {
-                                                    phi_3102_ = u32();
+                                                    phi_3098_ = u32();
                                                 }
-                                                let _e981 = phi_3102_;
-                                                phi_3104_ = _e981;
-                                                phi_3105_ = select(true, false, _e978);
+                                                let _e1574 = phi_3098_;
+                                                phi_3100_ = _e1574;
+                                                phi_3101_ = select(true, false, _e1571);
                                             } else {
-                                                phi_3104_ = u32();
-                                                phi_3105_ = true;
+                                                phi_3100_ = u32();
+                                                phi_3101_ = true;
                                             }
-                                            let _e984 = phi_3104_;
-                                            let _e986 = phi_3105_;
-                                            if (_e965 == 0u) {
-                                                phi_3126_ = (_e953 + select(0u, 1u, !(_e966)));
+                                            let _e1577 = phi_3100_;
+                                            let _e1579 = phi_3101_;
+                                            if (_e1558 == 0u) {
+                                                phi_3122_ = (_e1546 + select(0u, 1u, !(_e1559)));
                                             } else {
-                                                if (_e965 == 7u) {
-                                                    phi_3125_ = 2147483648u;
+                                                if (_e1558 == 7u) {
+                                                    phi_3121_ = 2147483648u;
                                                 } else {
-                                                    phi_3125_ = ((2147483648u | (_e965 << bitcast<u32>(28u))) | (select(_e984, _e954, _e986) & 268435455u));
+                                                    phi_3121_ = ((2147483648u | (_e1558 << bitcast<u32>(28u))) | (select(_e1577, _e1547, _e1579) & 268435455u));
                                                 }
-                                                let _e999 = phi_3125_;
-                                                phi_3126_ = _e999;
+                                                let _e1592 = phi_3121_;
+                                                phi_3122_ = _e1592;
                                             }
-                                            let _e1001 = phi_3126_;
-                                            phi_3130_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e704.member.member.x + _e829), (_e704.member.member.x + _e851), (_e704.member.member_1.x - _e868), (_e704.member.member_1.x - _e890)), vec4<f32>((_e704.member.member.y + _e838), (_e704.member.member.y + _e855), (_e704.member.member_1.y - _e877), (_e704.member.member_1.y - _e894)), vec4<f32>((_e704.member.member.z + _e847), (_e704.member.member.z + _e859), (_e704.member.member_1.z - _e886), (_e704.member.member_1.z - _e898))), type_50(type_29((_e704.member.member + vec4<f32>(_e829, _e838, _e847, 0f)), (_e704.member.member_1 - vec4<f32>(_e868, _e877, _e886, 0f))), _e977), type_50(type_29((_e704.member.member + vec4<f32>(_e851, _e855, _e859, 0f)), (_e704.member.member_1 - vec4<f32>(_e890, _e894, _e898, 0f))), _e1001));
+                                            let _e1594 = phi_3122_;
+                                            phi_3126_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e704.member.member.x + _e1422), (_e704.member.member.x + _e1444), (_e704.member.member_1.x - _e1461), (_e704.member.member_1.x - _e1483)), vec4<f32>((_e704.member.member.y + _e1431), (_e704.member.member.y + _e1448), (_e704.member.member_1.y - _e1470), (_e704.member.member_1.y - _e1487)), vec4<f32>((_e704.member.member.z + _e1440), (_e704.member.member.z + _e1452), (_e704.member.member_1.z - _e1479), (_e704.member.member_1.z - _e1491))), type_50(type_29((_e704.member.member + vec4<f32>(_e1422, _e1431, _e1440, 0f)), (_e704.member.member_1 - vec4<f32>(_e1461, _e1470, _e1479, 0f))), _e1570), type_50(type_29((_e704.member.member + vec4<f32>(_e1444, _e1448, _e1452, 0f)), (_e704.member.member_1 - vec4<f32>(_e1483, _e1487, _e1491, 0f))), _e1594));
                                         }
-                                        let _e1006 = phi_3130_;
-                                        let _e1018 = ((_e1006.member[0].x - _e364) * _e369);
-                                        let _e1019 = ((_e1006.member[0].y - _e364) * _e369);
-                                        let _e1020 = ((_e1006.member[0].z - _e365) * _e369);
-                                        let _e1021 = ((_e1006.member[0].w - _e365) * _e369);
-                                        let _e1031 = ((_e1006.member[1].x - _e432) * _e437);
-                                        let _e1032 = ((_e1006.member[1].y - _e432) * _e437);
-                                        let _e1033 = ((_e1006.member[1].z - _e433) * _e437);
-                                        let _e1034 = ((_e1006.member[1].w - _e433) * _e437);
-                                        let _e1044 = ((_e1006.member[2].x - _e500) * _e505);
-                                        let _e1045 = ((_e1006.member[2].y - _e500) * _e505);
-                                        let _e1046 = ((_e1006.member[2].z - _e501) * _e505);
-                                        let _e1047 = ((_e1006.member[2].w - _e501) * _e505);
-                                        let _e1049 = select(_e1046, _e1044, (_e1044 < _e1046));
-                                        let _e1051 = select(_e1047, _e1045, (_e1045 < _e1047));
-                                        let _e1053 = select(_e1046, _e1044, (_e1044 > _e1046));
-                                        let _e1055 = select(_e1047, _e1045, (_e1045 > _e1047));
-                                        let _e1057 = select(_e1020, _e1018, (_e1018 < _e1020));
-                                        let _e1059 = select(_e1021, _e1019, (_e1019 < _e1021));
-                                        let _e1061 = select(_e1033, _e1031, (_e1031 < _e1033));
-                                        let _e1063 = select(_e1034, _e1032, (_e1032 < _e1034));
-                                        let _e1065 = select(_e1061, _e1057, (_e1057 > _e1061));
-                                        let _e1067 = select(_e1063, _e1059, (_e1059 > _e1063));
-                                        let _e1069 = select(_e1049, _e1065, (_e1065 > _e1049));
-                                        let _e1071 = select(_e1051, _e1067, (_e1067 > _e1051));
-                                        let _e1073 = select(_e1020, _e1018, (_e1018 > _e1020));
-                                        let _e1075 = select(_e1021, _e1019, (_e1019 > _e1021));
-                                        let _e1077 = select(_e1033, _e1031, (_e1031 > _e1033));
-                                        let _e1079 = select(_e1034, _e1032, (_e1032 > _e1034));
-                                        let _e1081 = select(_e1077, _e1073, (_e1073 < _e1077));
-                                        let _e1083 = select(_e1079, _e1075, (_e1075 < _e1079));
-                                        let _e1088 = -(_e1049);
-                                        let _e1089 = -(_e1051);
-                                        let _e1096 = (select(_e1053, _e1081, (_e1081 < _e1053)) + (select(_e1088, _e1053, (_e1053 > _e1088)) * 0.0000019073523f));
-                                        let _e1097 = (select(_e1055, _e1083, (_e1083 < _e1055)) + (select(_e1089, _e1055, (_e1055 > _e1089)) * 0.0000019073523f));
-                                        let _e1099 = select(_e617, _e1069, (_e1069 > _e617));
-                                        let _e1101 = select(_e617, _e1071, (_e1071 > _e617));
-                                        let _e1106 = (_e1099 <= select(_e661.member_1, _e1096, (_e1096 < _e661.member_1)));
-                                        let _e1107 = (_e1101 <= select(_e661.member_1, _e1097, (_e1097 < _e661.member_1)));
-                                        let _e1108 = (_e1099 <= _e1101);
-                                        if _e1106 {
-                                            if _e1107 {
-                                                if _e1108 {
-                                                    phi_3492_ = _e1006.member_2;
+                                        let _e1599 = phi_3126_;
+                                        let _e1611 = ((_e1599.member[0].x - _e364) * _e369);
+                                        let _e1612 = ((_e1599.member[0].y - _e364) * _e369);
+                                        let _e1613 = ((_e1599.member[0].z - _e365) * _e369);
+                                        let _e1614 = ((_e1599.member[0].w - _e365) * _e369);
+                                        let _e1624 = ((_e1599.member[1].x - _e432) * _e437);
+                                        let _e1625 = ((_e1599.member[1].y - _e432) * _e437);
+                                        let _e1626 = ((_e1599.member[1].z - _e433) * _e437);
+                                        let _e1627 = ((_e1599.member[1].w - _e433) * _e437);
+                                        let _e1637 = ((_e1599.member[2].x - _e500) * _e505);
+                                        let _e1638 = ((_e1599.member[2].y - _e500) * _e505);
+                                        let _e1639 = ((_e1599.member[2].z - _e501) * _e505);
+                                        let _e1640 = ((_e1599.member[2].w - _e501) * _e505);
+                                        let _e1642 = select(_e1639, _e1637, (_e1637 < _e1639));
+                                        let _e1644 = select(_e1640, _e1638, (_e1638 < _e1640));
+                                        let _e1646 = select(_e1639, _e1637, (_e1637 > _e1639));
+                                        let _e1648 = select(_e1640, _e1638, (_e1638 > _e1640));
+                                        let _e1650 = select(_e1613, _e1611, (_e1611 < _e1613));
+                                        let _e1652 = select(_e1614, _e1612, (_e1612 < _e1614));
+                                        let _e1654 = select(_e1626, _e1624, (_e1624 < _e1626));
+                                        let _e1656 = select(_e1627, _e1625, (_e1625 < _e1627));
+                                        let _e1658 = select(_e1654, _e1650, (_e1650 > _e1654));
+                                        let _e1660 = select(_e1656, _e1652, (_e1652 > _e1656));
+                                        let _e1662 = select(_e1642, _e1658, (_e1658 > _e1642));
+                                        let _e1664 = select(_e1644, _e1660, (_e1660 > _e1644));
+                                        let _e1666 = select(_e1613, _e1611, (_e1611 > _e1613));
+                                        let _e1668 = select(_e1614, _e1612, (_e1612 > _e1614));
+                                        let _e1670 = select(_e1626, _e1624, (_e1624 > _e1626));
+                                        let _e1672 = select(_e1627, _e1625, (_e1625 > _e1627));
+                                        let _e1674 = select(_e1670, _e1666, (_e1666 < _e1670));
+                                        let _e1676 = select(_e1672, _e1668, (_e1668 < _e1672));
+                                        let _e1681 = -(_e1642);
+                                        let _e1682 = -(_e1644);
+                                        let _e1689 = (select(_e1646, _e1674, (_e1674 < _e1646)) + (select(_e1681, _e1646, (_e1646 > _e1681)) * 0.0000019073523f));
+                                        let _e1690 = (select(_e1648, _e1676, (_e1676 < _e1648)) + (select(_e1682, _e1648, (_e1648 > _e1682)) * 0.0000019073523f));
+                                        let _e1692 = select(_e617, _e1662, (_e1662 > _e617));
+                                        let _e1694 = select(_e617, _e1664, (_e1664 > _e617));
+                                        let _e1699 = (_e1692 <= select(_e1305.member_1, _e1689, (_e1689 < _e1305.member_1)));
+                                        let _e1700 = (_e1694 <= select(_e1305.member_1, _e1690, (_e1690 < _e1305.member_1)));
+                                        let _e1701 = (_e1692 <= _e1694);
+                                        if _e1699 {
+                                            if _e1700 {
+                                                if _e1701 {
+                                                    phi_3488_ = _e1599.member_2;
                                                 } else {
-                                                    phi_3492_ = _e1006.member_1;
+                                                    phi_3488_ = _e1599.member_1;
                                                 }
-                                                let _e1112 = phi_3492_;
-                                                let _e1134 = (_e702 % 128u);
-                                                let _e1135 = (_e1134 < 128u);
-                                                if _e1135 {
+                                                let _e1705 = phi_3488_;
+                                                let _e1726 = (_e702 % 128u);
+                                                let _e1727 = (_e1726 < 128u);
+                                                if _e1727 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1134] = _e1112.member_1;
-                                                if _e1135 {
+                                                local_8[_e1726] = _e1705.member_1;
+                                                if _e1727 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1134] = _e1112.member.member.x;
-                                                if _e1135 {
+                                                local_7[_e1726] = _e1705.member.member.x;
+                                                if _e1727 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1134] = _e1112.member.member.y;
-                                                if _e1135 {
+                                                local_6[_e1726] = _e1705.member.member.y;
+                                                if _e1727 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1134] = _e1112.member.member.z;
-                                                if _e1135 {
+                                                local_5[_e1726] = _e1705.member.member.z;
+                                                if _e1727 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1134] = _e1112.member.member_1.x;
-                                                if _e1135 {
+                                                local_4[_e1726] = _e1705.member.member_1.x;
+                                                if _e1727 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1134] = _e1112.member.member_1.y;
-                                                if _e1135 {
+                                                local_3[_e1726] = _e1705.member.member_1.y;
+                                                if _e1727 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1134] = _e1112.member.member_1.z;
-                                                if _e1135 {
+                                                local_2[_e1726] = _e1705.member.member_1.z;
+                                                if _e1727 {
                                                 } else {
-                                                    phi_4125_ = true;
+                                                    phi_4129_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1134] = select(_e1101, _e1099, !(_e1108));
-                                                if _e1108 {
-                                                    phi_3569_ = _e1006.member_1;
+                                                local_9[_e1726] = select(_e1692, _e1694, _e1701);
+                                                if _e1701 {
+                                                    phi_3564_ = _e1599.member_1;
                                                 } else {
-                                                    phi_3569_ = _e1006.member_2;
+                                                    phi_3564_ = _e1599.member_2;
                                                 }
-                                                let _e1148 = phi_3569_;
-                                                phi_3570_ = (_e702 + 1u);
-                                                phi_3571_ = _e1148;
+                                                let _e1740 = phi_3564_;
+                                                phi_3565_ = (_e702 + 1u);
+                                                phi_3566_ = _e1740;
                                             } else {
-                                                phi_3570_ = u32();
-                                                phi_3571_ = type_50();
+                                                phi_3565_ = u32();
+                                                phi_3566_ = type_50();
                                             }
-                                            let _e1150 = phi_3570_;
-                                            let _e1152 = phi_3571_;
-                                            phi_3573_ = _e1150;
-                                            phi_3574_ = _e1152;
-                                            phi_3575_ = select(true, false, _e1107);
+                                            let _e1742 = phi_3565_;
+                                            let _e1744 = phi_3566_;
+                                            phi_3568_ = _e1742;
+                                            phi_3569_ = _e1744;
+                                            phi_3570_ = select(true, false, _e1700);
                                         } else {
-                                            phi_3573_ = u32();
-                                            phi_3574_ = type_50();
-                                            phi_3575_ = true;
+                                            phi_3568_ = u32();
+                                            phi_3569_ = type_50();
+                                            phi_3570_ = true;
                                         }
-                                        let _e1155 = phi_3573_;
-                                        let _e1157 = phi_3574_;
-                                        let _e1159 = phi_3575_;
-                                        if _e1159 {
-                                            if _e1106 {
-                                                phi_3584_ = _e1006.member_1;
+                                        let _e1747 = phi_3568_;
+                                        let _e1749 = phi_3569_;
+                                        let _e1751 = phi_3570_;
+                                        if _e1751 {
+                                            if _e1699 {
+                                                phi_3579_ = _e1599.member_1;
                                             } else {
-                                                phi_3584_ = _e1006.member_2;
+                                                phi_3579_ = _e1599.member_2;
                                             }
-                                            let _e1163 = phi_3584_;
-                                            phi_3589_ = select(_e1107, true, _e1106);
-                                            phi_3591_ = _e1163;
+                                            let _e1755 = phi_3579_;
+                                            phi_3584_ = select(_e1700, true, _e1699);
+                                            phi_3586_ = _e1755;
                                         } else {
-                                            phi_3589_ = _e700;
-                                            phi_3591_ = _e1157;
+                                            phi_3584_ = _e700;
+                                            phi_3586_ = _e1749;
                                         }
-                                        let _e1166 = phi_3589_;
-                                        let _e1168 = phi_3591_;
-                                        phi_4129_ = _e659;
-                                        phi_3595_ = _e661;
-                                        phi_3596_ = _e1166;
-                                        phi_3597_ = select(_e1155, _e702, _e1159);
-                                        phi_3598_ = _e1168;
+                                        let _e1758 = phi_3584_;
+                                        let _e1760 = phi_3586_;
+                                        phi_3590_ = _e1758;
+                                        phi_3591_ = select(_e1747, _e702, _e1751);
+                                        phi_3592_ = _e1760;
                                     }
-                                    let _e1760 = phi_4129_;
-                                    let _e1762 = phi_3595_;
-                                    let _e1764 = phi_3596_;
-                                    let _e1766 = phi_3597_;
-                                    let _e1768 = phi_3598_;
-                                    phi_4128_ = _e1760;
-                                    phi_3599_ = _e1762;
-                                    phi_3600_ = _e1764;
-                                    phi_3601_ = (_e665 - 1u);
-                                    phi_3602_ = _e1766;
-                                    phi_3603_ = _e1768;
+                                    let _e1763 = phi_3590_;
+                                    let _e1765 = phi_3591_;
+                                    let _e1767 = phi_3592_;
+                                    if _e708 {
+                                        phi_3602_ = _e704;
+                                    } else {
+                                        phi_3602_ = _e1767;
+                                    }
+                                    let _e1769 = phi_3602_;
+                                    phi_4132_ = _e1303;
+                                    phi_3603_ = _e1305;
+                                    phi_3604_ = (_e663 - 1u);
+                                    phi_3605_ = select(_e1763, false, _e708);
+                                    phi_3606_ = select(_e1765, _e702, _e708);
+                                    phi_3607_ = _e1769;
                                 } else {
-                                    phi_4128_ = _e659;
-                                    phi_3599_ = _e661;
-                                    phi_3600_ = _e700;
-                                    phi_3601_ = _e665;
-                                    phi_3602_ = _e702;
-                                    phi_3603_ = _e704;
+                                    phi_4132_ = _e659;
+                                    phi_3603_ = _e661;
+                                    phi_3604_ = _e663;
+                                    phi_3605_ = _e700;
+                                    phi_3606_ = _e702;
+                                    phi_3607_ = _e704;
                                 }
-                                let _e1770 = phi_4128_;
-                                let _e1772 = phi_3599_;
-                                let _e1774 = phi_3600_;
-                                let _e1776 = phi_3601_;
-                                let _e1778 = phi_3602_;
-                                let _e1780 = phi_3603_;
-                                phi_4127_ = _e1770;
-                                phi_3604_ = _e1772;
-                                phi_3605_ = _e1774;
-                                phi_3606_ = _e1776;
-                                phi_3607_ = _e1778;
-                                phi_3608_ = _e1780;
+                                let _e1773 = phi_4132_;
+                                let _e1775 = phi_3603_;
+                                let _e1777 = phi_3604_;
+                                let _e1779 = phi_3605_;
+                                let _e1781 = phi_3606_;
+                                let _e1783 = phi_3607_;
+                                phi_4131_ = _e1773;
+                                phi_3608_ = _e1775;
+                                phi_3609_ = _e1777;
+                                phi_3610_ = _e1779;
+                                phi_3611_ = _e1781;
+                                phi_3612_ = _e1783;
                             } else {
-                                phi_4127_ = _e659;
-                                phi_3604_ = type_34();
-                                phi_3605_ = bool();
-                                phi_3606_ = u32();
-                                phi_3607_ = u32();
-                                phi_3608_ = type_50();
+                                phi_4131_ = _e659;
+                                phi_3608_ = type_34();
+                                phi_3609_ = u32();
+                                phi_3610_ = bool();
+                                phi_3611_ = u32();
+                                phi_3612_ = type_50();
                             }
-                            let _e1782 = phi_4127_;
-                            let _e1784 = phi_3604_;
-                            let _e1786 = phi_3605_;
-                            let _e1788 = phi_3606_;
-                            let _e1790 = phi_3607_;
-                            let _e1792 = phi_3608_;
-                            phi_4126_ = _e1782;
-                            phi_1162_ = _e1784;
-                            phi_1165_ = _e1786;
-                            phi_1167_ = _e1788;
-                            phi_1169_ = _e1790;
-                            phi_1171_ = _e1792;
-                            phi_3609_ = _e673;
+                            let _e1785 = phi_4131_;
+                            let _e1787 = phi_3608_;
+                            let _e1789 = phi_3609_;
+                            let _e1791 = phi_3610_;
+                            let _e1793 = phi_3611_;
+                            let _e1795 = phi_3612_;
+                            phi_4130_ = _e1785;
+                            phi_1162_ = _e1787;
+                            phi_1165_ = _e1789;
+                            phi_1167_ = _e1791;
+                            phi_1169_ = _e1793;
+                            phi_1171_ = _e1795;
+                            phi_3613_ = _e673;
                         } else {
-                            phi_4126_ = _e659;
+                            phi_4130_ = _e659;
                             phi_1162_ = type_34();
-                            phi_1165_ = bool();
-                            phi_1167_ = u32();
+                            phi_1165_ = u32();
+                            phi_1167_ = bool();
                             phi_1169_ = u32();
                             phi_1171_ = type_50();
-                            phi_3609_ = false;
+                            phi_3613_ = false;
                         }
-                        let _e1794 = phi_4126_;
-                        let _e1796 = phi_1162_;
-                        let _e1798 = phi_1165_;
-                        let _e1800 = phi_1167_;
-                        let _e1802 = phi_1169_;
-                        let _e1804 = phi_1171_;
-                        let _e1806 = phi_3609_;
+                        let _e1797 = phi_4130_;
+                        let _e1799 = phi_1162_;
+                        let _e1801 = phi_1165_;
+                        let _e1803 = phi_1167_;
+                        let _e1805 = phi_1169_;
+                        let _e1807 = phi_1171_;
+                        let _e1809 = phi_3613_;
                         continue;
                         continuing {
-                            phi_3971_ = _e1794;
-                            phi_1161_ = _e1796;
-                            phi_1164_ = _e1798;
-                            phi_1166_ = _e1800;
-                            phi_1168_ = _e1802;
-                            phi_1170_ = _e1804;
-                            phi_4125_ = _e1794;
-                            break if !(_e1806);
+                            phi_3975_ = _e1797;
+                            phi_1161_ = _e1799;
+                            phi_1164_ = _e1801;
+                            phi_1166_ = _e1803;
+                            phi_1168_ = _e1805;
+                            phi_1170_ = _e1807;
+                            phi_4129_ = _e1797;
+                            break if !(_e1809);
                         }
                     }
-                    let _e1809 = phi_4125_;
-                    if _e1809 {
+                    let _e1812 = phi_4129_;
+                    if _e1812 {
                         break;
                     }
-                    let _e1811 = local_10;
-                    if (_e1811.member.member_3 != 4294967295u) {
-                        let _e1816 = -(_e519);
-                        let _e1817 = bitcast<u32>(_e1811.member.member);
-                        let _e1821 = (bitcast<i32>((_e1817 >> bitcast<u32>(23i))) & 255i);
-                        let _e1822 = (_e1821 + _e1816);
-                        if (_e1821 == 255i) {
-                            phi_3668_ = _e1811.member.member;
+                    let _e1814 = local_10;
+                    if (_e1814.member.member_3 != 4294967295u) {
+                        let _e1819 = -(_e519);
+                        let _e1820 = bitcast<u32>(_e1814.member.member);
+                        let _e1824 = (bitcast<i32>((_e1820 >> bitcast<u32>(23i))) & 255i);
+                        let _e1825 = (_e1824 + _e1819);
+                        if (_e1824 == 255i) {
+                            phi_3672_ = _e1814.member.member;
                         } else {
-                            if (_e1821 > 0i) {
-                                if (_e1822 > 0i) {
-                                    let _e1826 = (_e1822 < 255i);
-                                    if _e1826 {
-                                        phi_3647_ = bitcast<f32>((_e1817 + bitcast<u32>((_e1816 << bitcast<u32>(23i)))));
+                            if (_e1824 > 0i) {
+                                if (_e1825 > 0i) {
+                                    let _e1829 = (_e1825 < 255i);
+                                    if _e1829 {
+                                        phi_3651_ = bitcast<f32>((_e1820 + bitcast<u32>((_e1819 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3647_ = f32();
+                                        phi_3651_ = f32();
                                     }
-                                    let _e1833 = phi_3647_;
-                                    phi_3649_ = _e1833;
-                                    phi_3650_ = select(true, false, _e1826);
+                                    let _e1836 = phi_3651_;
+                                    phi_3653_ = _e1836;
+                                    phi_3654_ = select(true, false, _e1829);
                                 } else {
-                                    phi_3649_ = f32();
-                                    phi_3650_ = true;
+                                    phi_3653_ = f32();
+                                    phi_3654_ = true;
                                 }
-                                let _e1836 = phi_3649_;
-                                let _e1838 = phi_3650_;
-                                phi_3651_ = _e1836;
-                                phi_3652_ = _e1838;
+                                let _e1839 = phi_3653_;
+                                let _e1841 = phi_3654_;
+                                phi_3655_ = _e1839;
+                                phi_3656_ = _e1841;
                             } else {
-                                phi_3651_ = f32();
-                                phi_3652_ = true;
+                                phi_3655_ = f32();
+                                phi_3656_ = true;
                             }
-                            let _e1840 = phi_3651_;
-                            let _e1842 = phi_3652_;
-                            if _e1842 {
-                                let _e1843 = (_e1817 & 2147483648u);
-                                let _e1850 = ((_e1817 & 8388607u) | (select(0u, 1u, ((_e1817 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1854 = (_e1850 == 0u);
-                                if _e1854 {
-                                    phi_3923_ = bitcast<f32>(_e1843);
+                            let _e1843 = phi_3655_;
+                            let _e1845 = phi_3656_;
+                            if _e1845 {
+                                let _e1846 = (_e1820 & 2147483648u);
+                                let _e1853 = ((_e1820 & 8388607u) | (select(0u, 1u, ((_e1820 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1857 = (_e1853 == 0u);
+                                if _e1857 {
+                                    phi_3927_ = bitcast<f32>(_e1846);
                                 } else {
-                                    let _e1859 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1850)), 32u, _e1854) - 8u);
-                                    let _e1862 = (_e1850 << bitcast<u32>((_e1859 & 31u)));
-                                    let _e1864 = ((_e1822 + select(0i, 1i, (_e1821 == 0i))) - bitcast<i32>(_e1859));
-                                    if (_e1864 >= 255i) {
-                                        phi_3913_ = bitcast<f32>((_e1843 | 2139095040u));
-                                        phi_3914_ = f32();
-                                        phi_3915_ = true;
+                                    let _e1862 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1853)), 32u, _e1857) - 8u);
+                                    let _e1865 = (_e1853 << bitcast<u32>((_e1862 & 31u)));
+                                    let _e1867 = ((_e1825 + select(0i, 1i, (_e1824 == 0i))) - bitcast<i32>(_e1862));
+                                    if (_e1867 >= 255i) {
+                                        phi_3917_ = bitcast<f32>((_e1846 | 2139095040u));
+                                        phi_3918_ = f32();
+                                        phi_3919_ = true;
                                     } else {
-                                        let _e1866 = (_e1864 > 0i);
-                                        if _e1866 {
-                                            phi_3907_ = bitcast<f32>(((_e1843 | (bitcast<u32>(_e1864) << bitcast<u32>(23i))) | (_e1862 & 8388607u)));
-                                            phi_3908_ = f32();
+                                        let _e1869 = (_e1867 > 0i);
+                                        if _e1869 {
+                                            phi_3911_ = bitcast<f32>(((_e1846 | (bitcast<u32>(_e1867) << bitcast<u32>(23i))) | (_e1865 & 8388607u)));
+                                            phi_3912_ = f32();
                                         } else {
-                                            if (_e1864 < -24i) {
-                                                phi_3873_ = 26u;
+                                            if (_e1867 < -24i) {
+                                                phi_3877_ = 26u;
                                             } else {
-                                                phi_3873_ = bitcast<u32>((1i - _e1864));
+                                                phi_3877_ = bitcast<u32>((1i - _e1867));
                                             }
-                                            let _e1871 = phi_3873_;
-                                            let _e1872 = (_e1871 & 31u);
-                                            let _e1874 = (_e1862 >> bitcast<u32>(_e1872));
-                                            let _e1878 = (_e1862 & ((1u << bitcast<u32>(_e1872)) - 1u));
-                                            let _e1882 = (1u << bitcast<u32>(((_e1871 - 1u) & 31u)));
-                                            if (_e1878 > _e1882) {
-                                                phi_3894_ = true;
+                                            let _e1874 = phi_3877_;
+                                            let _e1875 = (_e1874 & 31u);
+                                            let _e1877 = (_e1865 >> bitcast<u32>(_e1875));
+                                            let _e1881 = (_e1865 & ((1u << bitcast<u32>(_e1875)) - 1u));
+                                            let _e1885 = (1u << bitcast<u32>(((_e1874 - 1u) & 31u)));
+                                            if (_e1881 > _e1885) {
+                                                phi_3898_ = true;
                                             } else {
-                                                if (_e1878 == _e1882) {
-                                                    phi_3891_ = ((_e1874 & 1u) == 1u);
+                                                if (_e1881 == _e1885) {
+                                                    phi_3895_ = ((_e1877 & 1u) == 1u);
                                                 } else {
-                                                    phi_3891_ = false;
+                                                    phi_3895_ = false;
                                                 }
-                                                let _e1888 = phi_3891_;
-                                                phi_3894_ = _e1888;
+                                                let _e1891 = phi_3895_;
+                                                phi_3898_ = _e1891;
                                             }
-                                            let _e1890 = phi_3894_;
-                                            phi_3907_ = f32();
-                                            phi_3908_ = bitcast<f32>((_e1843 | (_e1874 + select(0u, 1u, _e1890))));
+                                            let _e1893 = phi_3898_;
+                                            phi_3911_ = f32();
+                                            phi_3912_ = bitcast<f32>((_e1846 | (_e1877 + select(0u, 1u, _e1893))));
                                         }
-                                        let _e1903 = phi_3907_;
-                                        let _e1905 = phi_3908_;
-                                        phi_3913_ = _e1903;
-                                        phi_3914_ = _e1905;
-                                        phi_3915_ = _e1866;
+                                        let _e1906 = phi_3911_;
+                                        let _e1908 = phi_3912_;
+                                        phi_3917_ = _e1906;
+                                        phi_3918_ = _e1908;
+                                        phi_3919_ = _e1869;
                                     }
-                                    let _e1909 = phi_3913_;
-                                    let _e1911 = phi_3914_;
-                                    let _e1913 = phi_3915_;
-                                    phi_3923_ = select(_e1911, _e1909, _e1913);
+                                    let _e1912 = phi_3917_;
+                                    let _e1914 = phi_3918_;
+                                    let _e1916 = phi_3919_;
+                                    phi_3927_ = select(_e1914, _e1912, _e1916);
                                 }
-                                let _e1917 = phi_3923_;
-                                phi_3667_ = _e1917;
+                                let _e1920 = phi_3927_;
+                                phi_3671_ = _e1920;
                             } else {
-                                phi_3667_ = _e1840;
+                                phi_3671_ = _e1843;
                             }
-                            let _e1919 = phi_3667_;
-                            phi_3668_ = _e1919;
+                            let _e1922 = phi_3671_;
+                            phi_3672_ = _e1922;
                         }
-                        let _e1921 = phi_3668_;
-                        let _e1922 = bitcast<u32>(_e1921);
-                        if ((_e1922 & 2147483647u) >= 2139095040u) {
-                            phi_3680_ = bitcast<f32>(((_e1922 & 2147483648u) | 2139095039u));
+                        let _e1924 = phi_3672_;
+                        let _e1925 = bitcast<u32>(_e1924);
+                        if ((_e1925 & 2147483647u) >= 2139095040u) {
+                            phi_3684_ = bitcast<f32>(((_e1925 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3680_ = _e1921;
+                            phi_3684_ = _e1924;
                         }
-                        let _e1929 = phi_3680_;
-                        phi_3685_ = type_21(_e1929, _e1811.member.member_1, _e1811.member.member_2, _e1811.member.member_3);
+                        let _e1932 = phi_3684_;
+                        phi_3689_ = type_21(_e1932, _e1814.member.member_1, _e1814.member.member_2, _e1814.member.member_3);
                     } else {
-                        phi_3685_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3689_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1934 = phi_3685_;
+                    let _e1937 = phi_3689_;
                     if _e150 {
                     } else {
                         break;
                     }
-                    global_6.member[_e148] = _e1934;
+                    global_6.member[_e148] = _e1937;
                 }
             }
             break;

@@ -122,36 +122,16 @@ fn function_() {
     var phi_1068_: u32;
     var phi_1076_: f32;
     var phi_1077_: f32;
-    var phi_4644_: bool;
+    var phi_4648_: bool;
     var phi_1173_: type_33;
-    var phi_1176_: bool;
-    var phi_1178_: u32;
+    var phi_1176_: u32;
+    var phi_1178_: bool;
     var phi_1180_: u32;
     var phi_1182_: type_49;
     var phi_1193_: bool;
     var phi_1279_: bool;
     var phi_1280_: u32;
     var phi_1281_: type_49;
-    var phi_3504_: u32;
-    var phi_3510_: u32;
-    var phi_3764_: u32;
-    var phi_3765_: u32;
-    var phi_3775_: u32;
-    var phi_3777_: u32;
-    var phi_3778_: bool;
-    var phi_3798_: u32;
-    var phi_3799_: u32;
-    var phi_3803_: type_50;
-    var phi_4165_: type_49;
-    var phi_4242_: type_49;
-    var phi_4243_: u32;
-    var phi_4244_: type_49;
-    var phi_4246_: u32;
-    var phi_4247_: type_49;
-    var phi_4248_: bool;
-    var phi_4257_: type_49;
-    var phi_4262_: bool;
-    var phi_4264_: type_49;
     var phi_1300_: type_33;
     var phi_1303_: type_8;
     var phi_1304_: type_8;
@@ -231,51 +211,72 @@ fn function_() {
     var phi_2996_: type_33;
     var phi_2997_: type_33;
     var phi_1301_: type_33;
-    var phi_4638_: bool;
-    var phi_4849_: bool;
-    var phi_4268_: type_33;
-    var phi_4269_: bool;
-    var phi_4270_: u32;
-    var phi_4271_: type_49;
-    var phi_4848_: bool;
-    var phi_4272_: type_33;
-    var phi_4273_: bool;
-    var phi_4274_: u32;
-    var phi_4275_: u32;
-    var phi_4276_: type_49;
-    var phi_4847_: bool;
-    var phi_4277_: type_33;
+    var phi_4642_: bool;
+    var phi_4940_: bool;
+    var phi_2998_: type_33;
+    var phi_3500_: u32;
+    var phi_3506_: u32;
+    var phi_3760_: u32;
+    var phi_3761_: u32;
+    var phi_3771_: u32;
+    var phi_3773_: u32;
+    var phi_3774_: bool;
+    var phi_3794_: u32;
+    var phi_3795_: u32;
+    var phi_3799_: type_50;
+    var phi_4161_: type_49;
+    var phi_4237_: type_49;
+    var phi_4238_: u32;
+    var phi_4239_: type_49;
+    var phi_4241_: u32;
+    var phi_4242_: type_49;
+    var phi_4243_: bool;
+    var phi_4252_: type_49;
+    var phi_4257_: bool;
+    var phi_4259_: type_49;
+    var phi_4263_: bool;
+    var phi_4264_: u32;
+    var phi_4265_: type_49;
+    var phi_4275_: type_49;
+    var phi_4852_: bool;
+    var phi_4276_: type_33;
+    var phi_4277_: u32;
     var phi_4278_: bool;
     var phi_4279_: u32;
-    var phi_4280_: u32;
-    var phi_4281_: type_49;
-    var phi_4846_: bool;
+    var phi_4280_: type_49;
+    var phi_4851_: bool;
+    var phi_4281_: type_33;
+    var phi_4282_: u32;
+    var phi_4283_: bool;
+    var phi_4284_: u32;
+    var phi_4285_: type_49;
+    var phi_4850_: bool;
     var phi_1174_: type_33;
-    var phi_1177_: bool;
-    var phi_1179_: u32;
+    var phi_1177_: u32;
+    var phi_1179_: bool;
     var phi_1181_: u32;
     var phi_1183_: type_49;
-    var phi_4282_: bool;
-    var phi_4845_: bool;
+    var phi_4286_: bool;
+    var phi_4849_: bool;
     var local_10: type_33;
-    var phi_4320_: f32;
-    var phi_4322_: f32;
-    var phi_4323_: bool;
     var phi_4324_: f32;
-    var phi_4325_: bool;
-    var phi_4546_: u32;
-    var phi_4564_: bool;
-    var phi_4567_: bool;
-    var phi_4580_: f32;
-    var phi_4581_: f32;
-    var phi_4586_: f32;
-    var phi_4587_: f32;
-    var phi_4588_: bool;
-    var phi_4596_: f32;
-    var phi_4340_: f32;
-    var phi_4341_: f32;
-    var phi_4353_: f32;
-    var phi_4358_: type_20;
+    var phi_4326_: f32;
+    var phi_4327_: bool;
+    var phi_4328_: f32;
+    var phi_4329_: bool;
+    var phi_4550_: u32;
+    var phi_4568_: bool;
+    var phi_4571_: bool;
+    var phi_4584_: f32;
+    var phi_4585_: f32;
+    var phi_4590_: f32;
+    var phi_4591_: f32;
+    var phi_4592_: bool;
+    var phi_4600_: f32;
+    var phi_4344_: f32;
+    var phi_4345_: f32;
+    var phi_4357_: f32;
+    var phi_4362_: type_20;
     var local_11: type_33;
 
     switch bitcast<i32>(0u) {
@@ -640,31 +641,31 @@ fn function_() {
                         break;
                     }
                     let _e654 = local[_e638];
-                    phi_4644_ = false;
+                    phi_4648_ = false;
                     phi_1173_ = type_33(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e620);
-                    phi_1176_ = (_e622 <= _e620);
-                    phi_1178_ = ((3u * _e96) + 1u);
+                    phi_1176_ = ((3u * _e96) + 1u);
+                    phi_1178_ = (_e622 <= _e620);
                     phi_1180_ = 0u;
                     phi_1182_ = type_49(type_28(vec4<f32>((f32(_e629) * _e147), (f32(_e635) * _e147), (f32(_e641) * _e147), 0f), vec4<f32>((f32(_e646) * _e147), (f32(_e650) * _e147), (f32(_e654) * _e147), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
                     loop {
-                        let _e664 = phi_4644_;
+                        let _e664 = phi_4648_;
                         let _e666 = phi_1173_;
                         let _e668 = phi_1176_;
                         let _e670 = phi_1178_;
                         let _e672 = phi_1180_;
                         let _e674 = phi_1182_;
                         local_10 = _e666;
-                        if _e668 {
+                        if _e670 {
                             phi_1193_ = true;
                         } else {
                             phi_1193_ = (_e672 > 0u);
                         }
                         let _e677 = phi_1193_;
                         if _e677 {
-                            let _e678 = (_e670 > 0u);
+                            let _e678 = (_e668 > 0u);
                             if _e678 {
-                                if _e668 {
-                                    phi_1279_ = _e668;
+                                if _e670 {
+                                    phi_1279_ = _e670;
                                     phi_1280_ = _e672;
                                     phi_1281_ = _e674;
                                 } else {
@@ -673,49 +674,49 @@ fn function_() {
                                     let _e681 = (_e680 < 128u);
                                     if _e681 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e683 = local_7[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e685 = local_6[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e687 = local_5[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e689 = local_4[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e691 = local_3[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e693 = local_2[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e698 = local_8[_e680];
                                     if _e681 {
                                     } else {
-                                        phi_4845_ = true;
+                                        phi_4849_ = true;
                                         break;
                                     }
                                     let _e701 = local_9[_e680];
@@ -727,38 +728,39 @@ fn function_() {
                                 let _e707 = phi_1280_;
                                 let _e709 = phi_1281_;
                                 if _e705 {
+                                    let _e713 = ((_e709.member_1 & 2147483648u) != 0u);
                                     let _e714 = (_e709.member_1 & 268435455u);
-                                    if ((_e709.member_1 & 2147483648u) != 0u) {
+                                    if _e713 {
                                         phi_1300_ = _e666;
                                         phi_1303_ = type_8(0u, ((_e709.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1198 = phi_1300_;
-                                            let _e1200 = phi_1303_;
-                                            local_11 = _e1198;
-                                            if (_e1200.member < _e1200.member_1) {
-                                                phi_1304_ = type_8((_e1200.member + 1u), _e1200.member_1);
-                                                phi_1326_ = type_8(1u, _e1200.member);
+                                            let _e721 = phi_1300_;
+                                            let _e723 = phi_1303_;
+                                            local_11 = _e721;
+                                            if (_e723.member < _e723.member_1) {
+                                                phi_1304_ = type_8((_e723.member + 1u), _e723.member_1);
+                                                phi_1326_ = type_8(1u, _e723.member);
                                             } else {
-                                                phi_1304_ = _e1200;
+                                                phi_1304_ = _e723;
                                                 phi_1326_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1213 = phi_1304_;
-                                            let _e1215 = phi_1326_;
-                                            let _e1219 = (bitcast<i32>(_e1215.member) != 0i);
-                                            if _e1219 {
-                                                let _e1224 = (_e709.member.member_1.x - _e709.member.member.x);
-                                                let _e1227 = (_e709.member.member_1.y - _e709.member.member.y);
-                                                let _e1230 = (_e709.member.member_1.z - _e709.member.member.z);
-                                                let _e1232 = select(_e1227, _e1224, (_e1224 > _e1227));
-                                                let _e1234 = select(_e1230, _e1232, (_e1232 > _e1230));
-                                                let _e1236 = (_e1234 < (1024f * _e147));
-                                                if _e1236 {
+                                            let _e736 = phi_1304_;
+                                            let _e738 = phi_1326_;
+                                            let _e742 = (bitcast<i32>(_e738.member) != 0i);
+                                            if _e742 {
+                                                let _e747 = (_e709.member.member_1.x - _e709.member.member.x);
+                                                let _e750 = (_e709.member.member_1.y - _e709.member.member.y);
+                                                let _e753 = (_e709.member.member_1.z - _e709.member.member.z);
+                                                let _e755 = select(_e750, _e747, (_e747 > _e750));
+                                                let _e757 = select(_e753, _e755, (_e755 > _e753));
+                                                let _e759 = (_e757 < (1024f * _e147));
+                                                if _e759 {
                                                     phi_1367_ = 0u;
                                                 } else {
-                                                    phi_1367_ = select(2u, 1u, (_e1234 < (2097152f * _e147)));
+                                                    phi_1367_ = select(2u, 1u, (_e757 < (2097152f * _e147)));
                                                 }
-                                                let _e1241 = phi_1367_;
-                                                switch bitcast<i32>(_e1241) {
+                                                let _e764 = phi_1367_;
+                                                switch bitcast<i32>(_e764) {
                                                     case 0: {
                                                         phi_1373_ = 1u;
                                                         break;
@@ -776,8 +778,8 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1244 = phi_1373_;
-                                                switch bitcast<i32>(_e1241) {
+                                                let _e767 = phi_1373_;
+                                                switch bitcast<i32>(_e764) {
                                                     case 0: {
                                                         phi_1383_ = 1u;
                                                         break;
@@ -795,28 +797,28 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1251 = phi_1383_;
-                                                let _e1253 = ((_e714 + (_e1215.member_1 * ((3u * _e1244) + 1u))) + (3u * _e1251));
-                                                let _e1254 = (_e1253 < _e99);
-                                                if _e1254 {
-                                                    if _e1254 {
+                                                let _e774 = phi_1383_;
+                                                let _e776 = ((_e714 + (_e738.member_1 * ((3u * _e767) + 1u))) + (3u * _e774));
+                                                let _e777 = (_e776 < _e99);
+                                                if _e777 {
+                                                    if _e777 {
                                                     } else {
-                                                        phi_4638_ = true;
+                                                        phi_4642_ = true;
                                                         break;
                                                     }
-                                                    let _e1256 = global_5.member[_e1253];
-                                                    phi_1399_ = _e1256;
+                                                    let _e779 = global_5.member[_e776];
+                                                    phi_1399_ = _e779;
                                                 } else {
                                                     phi_1399_ = 4294967295u;
                                                 }
-                                                let _e1258 = phi_1399_;
-                                                if _e1236 {
+                                                let _e781 = phi_1399_;
+                                                if _e759 {
                                                     phi_1432_ = 0u;
                                                 } else {
-                                                    phi_1432_ = select(2u, 1u, (_e1234 < (2097152f * _e147)));
+                                                    phi_1432_ = select(2u, 1u, (_e757 < (2097152f * _e147)));
                                                 }
-                                                let _e1263 = phi_1432_;
-                                                switch bitcast<i32>(_e1263) {
+                                                let _e786 = phi_1432_;
+                                                switch bitcast<i32>(_e786) {
                                                     case 0: {
                                                         phi_1438_ = 1u;
                                                         break;
@@ -834,331 +836,331 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1266 = phi_1438_;
-                                                let _e1270 = (_e714 + (_e1215.member_1 * ((3u * _e1266) + 1u)));
-                                                switch bitcast<i32>(_e1263) {
+                                                let _e789 = phi_1438_;
+                                                let _e793 = (_e714 + (_e738.member_1 * ((3u * _e789) + 1u)));
+                                                switch bitcast<i32>(_e786) {
                                                     case 0: {
-                                                        let _e1545 = (_e1270 < _e99);
-                                                        if _e1545 {
-                                                            if _e1545 {
+                                                        let _e1068 = (_e793 < _e99);
+                                                        if _e1068 {
+                                                            if _e1068 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1547 = global_5.member[_e1270];
-                                                            phi_1465_ = _e1547;
+                                                            let _e1070 = global_5.member[_e793];
+                                                            phi_1465_ = _e1070;
                                                         } else {
                                                             phi_1465_ = 0u;
                                                         }
-                                                        let _e1549 = phi_1465_;
-                                                        let _e1551 = ((10u * _e267) & 31u);
-                                                        let _e1561 = ((10u * _e266) & 31u);
-                                                        let _e1571 = ((10u * _e268) & 31u);
-                                                        let _e1581 = (_e1270 + 1u);
-                                                        let _e1582 = (_e1581 < _e99);
-                                                        if _e1582 {
-                                                            if _e1582 {
+                                                        let _e1072 = phi_1465_;
+                                                        let _e1074 = ((10u * _e267) & 31u);
+                                                        let _e1084 = ((10u * _e266) & 31u);
+                                                        let _e1094 = ((10u * _e268) & 31u);
+                                                        let _e1104 = (_e793 + 1u);
+                                                        let _e1105 = (_e1104 < _e99);
+                                                        if _e1105 {
+                                                            if _e1105 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1584 = global_5.member[_e1581];
-                                                            phi_1514_ = _e1584;
+                                                            let _e1107 = global_5.member[_e1104];
+                                                            phi_1514_ = _e1107;
                                                         } else {
                                                             phi_1514_ = 0u;
                                                         }
-                                                        let _e1586 = phi_1514_;
-                                                        let _e1612 = (_e1270 + 2u);
-                                                        let _e1613 = (_e1612 < _e99);
-                                                        if _e1613 {
-                                                            if _e1613 {
+                                                        let _e1109 = phi_1514_;
+                                                        let _e1135 = (_e793 + 2u);
+                                                        let _e1136 = (_e1135 < _e99);
+                                                        if _e1136 {
+                                                            if _e1136 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1615 = global_5.member[_e1612];
-                                                            phi_1563_ = _e1615;
+                                                            let _e1138 = global_5.member[_e1135];
+                                                            phi_1563_ = _e1138;
                                                         } else {
                                                             phi_1563_ = 0u;
                                                         }
-                                                        let _e1617 = phi_1563_;
-                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1549 >> bitcast<u32>(_e1551)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1549 >> bitcast<u32>(_e1561)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1549 >> bitcast<u32>(_e1571)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1586 >> bitcast<u32>(_e1551)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1586 >> bitcast<u32>(_e1561)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1586 >> bitcast<u32>(_e1571)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1617 >> bitcast<u32>(_e1551)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1617 >> bitcast<u32>(_e1561)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1617 >> bitcast<u32>(_e1571)) & 1023u))) - 8388608f) * _e147))));
+                                                        let _e1140 = phi_1563_;
+                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1072 >> bitcast<u32>(_e1074)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1072 >> bitcast<u32>(_e1084)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1072 >> bitcast<u32>(_e1094)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1109 >> bitcast<u32>(_e1074)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1109 >> bitcast<u32>(_e1084)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1109 >> bitcast<u32>(_e1094)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | ((_e1140 >> bitcast<u32>(_e1074)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | ((_e1140 >> bitcast<u32>(_e1084)) & 1023u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | ((_e1140 >> bitcast<u32>(_e1094)) & 1023u))) - 8388608f) * _e147))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1359 = (_e1270 < _e99);
-                                                        if _e1359 {
-                                                            if _e1359 {
+                                                        let _e882 = (_e793 < _e99);
+                                                        if _e882 {
+                                                            if _e882 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1361 = global_5.member[_e1270];
-                                                            phi_1612_ = _e1361;
+                                                            let _e884 = global_5.member[_e793];
+                                                            phi_1612_ = _e884;
                                                         } else {
                                                             phi_1612_ = 0u;
                                                         }
-                                                        let _e1363 = phi_1612_;
-                                                        let _e1364 = (_e1270 + 1u);
-                                                        let _e1365 = (_e1364 < _e99);
-                                                        if _e1365 {
-                                                            if _e1365 {
+                                                        let _e886 = phi_1612_;
+                                                        let _e887 = (_e793 + 1u);
+                                                        let _e888 = (_e887 < _e99);
+                                                        if _e888 {
+                                                            if _e888 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1367 = global_5.member[_e1364];
-                                                            phi_1627_ = _e1367;
+                                                            let _e890 = global_5.member[_e887];
+                                                            phi_1627_ = _e890;
                                                         } else {
                                                             phi_1627_ = 0u;
                                                         }
-                                                        let _e1369 = phi_1627_;
-                                                        let _e1370 = (_e267 == 1u);
-                                                        if _e1370 {
-                                                            phi_1637_ = ((_e1363 >> bitcast<u32>(21i)) | (_e1369 << bitcast<u32>(11i)));
+                                                        let _e892 = phi_1627_;
+                                                        let _e893 = (_e267 == 1u);
+                                                        if _e893 {
+                                                            phi_1637_ = ((_e886 >> bitcast<u32>(21i)) | (_e892 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1637_ = (_e1369 >> bitcast<u32>(10i));
+                                                            phi_1637_ = (_e892 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1379 = phi_1637_;
-                                                        let _e1387 = (_e266 == 1u);
-                                                        if _e1387 {
-                                                            phi_1658_ = ((_e1363 >> bitcast<u32>(21i)) | (_e1369 << bitcast<u32>(11i)));
+                                                        let _e902 = phi_1637_;
+                                                        let _e910 = (_e266 == 1u);
+                                                        if _e910 {
+                                                            phi_1658_ = ((_e886 >> bitcast<u32>(21i)) | (_e892 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1658_ = (_e1369 >> bitcast<u32>(10i));
+                                                            phi_1658_ = (_e892 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1396 = phi_1658_;
-                                                        let _e1404 = (_e268 == 1u);
-                                                        if _e1404 {
-                                                            phi_1679_ = ((_e1363 >> bitcast<u32>(21i)) | (_e1369 << bitcast<u32>(11i)));
+                                                        let _e919 = phi_1658_;
+                                                        let _e927 = (_e268 == 1u);
+                                                        if _e927 {
+                                                            phi_1679_ = ((_e886 >> bitcast<u32>(21i)) | (_e892 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1679_ = (_e1369 >> bitcast<u32>(10i));
+                                                            phi_1679_ = (_e892 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1413 = phi_1679_;
-                                                        let _e1422 = (_e1270 + 2u);
-                                                        let _e1423 = (_e1422 < _e99);
-                                                        if _e1423 {
-                                                            if _e1423 {
+                                                        let _e936 = phi_1679_;
+                                                        let _e945 = (_e793 + 2u);
+                                                        let _e946 = (_e945 < _e99);
+                                                        if _e946 {
+                                                            if _e946 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1425 = global_5.member[_e1422];
-                                                            phi_1709_ = _e1425;
+                                                            let _e948 = global_5.member[_e945];
+                                                            phi_1709_ = _e948;
                                                         } else {
                                                             phi_1709_ = 0u;
                                                         }
-                                                        let _e1427 = phi_1709_;
-                                                        let _e1428 = (_e1270 + 3u);
-                                                        let _e1429 = (_e1428 < _e99);
-                                                        if _e1429 {
-                                                            if _e1429 {
+                                                        let _e950 = phi_1709_;
+                                                        let _e951 = (_e793 + 3u);
+                                                        let _e952 = (_e951 < _e99);
+                                                        if _e952 {
+                                                            if _e952 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1431 = global_5.member[_e1428];
-                                                            phi_1724_ = _e1431;
+                                                            let _e954 = global_5.member[_e951];
+                                                            phi_1724_ = _e954;
                                                         } else {
                                                             phi_1724_ = 0u;
                                                         }
-                                                        let _e1433 = phi_1724_;
-                                                        if _e1370 {
-                                                            phi_1734_ = ((_e1427 >> bitcast<u32>(21i)) | (_e1433 << bitcast<u32>(11i)));
+                                                        let _e956 = phi_1724_;
+                                                        if _e893 {
+                                                            phi_1734_ = ((_e950 >> bitcast<u32>(21i)) | (_e956 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1734_ = (_e1433 >> bitcast<u32>(10i));
+                                                            phi_1734_ = (_e956 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1442 = phi_1734_;
-                                                        if _e1387 {
-                                                            phi_1755_ = ((_e1427 >> bitcast<u32>(21i)) | (_e1433 << bitcast<u32>(11i)));
+                                                        let _e965 = phi_1734_;
+                                                        if _e910 {
+                                                            phi_1755_ = ((_e950 >> bitcast<u32>(21i)) | (_e956 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1755_ = (_e1433 >> bitcast<u32>(10i));
+                                                            phi_1755_ = (_e956 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1458 = phi_1755_;
-                                                        if _e1404 {
-                                                            phi_1776_ = ((_e1427 >> bitcast<u32>(21i)) | (_e1433 << bitcast<u32>(11i)));
+                                                        let _e981 = phi_1755_;
+                                                        if _e927 {
+                                                            phi_1776_ = ((_e950 >> bitcast<u32>(21i)) | (_e956 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1776_ = (_e1433 >> bitcast<u32>(10i));
+                                                            phi_1776_ = (_e956 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1474 = phi_1776_;
-                                                        let _e1483 = (_e1270 + 4u);
-                                                        let _e1484 = (_e1483 < _e99);
-                                                        if _e1484 {
-                                                            if _e1484 {
+                                                        let _e997 = phi_1776_;
+                                                        let _e1006 = (_e793 + 4u);
+                                                        let _e1007 = (_e1006 < _e99);
+                                                        if _e1007 {
+                                                            if _e1007 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1486 = global_5.member[_e1483];
-                                                            phi_1806_ = _e1486;
+                                                            let _e1009 = global_5.member[_e1006];
+                                                            phi_1806_ = _e1009;
                                                         } else {
                                                             phi_1806_ = 0u;
                                                         }
-                                                        let _e1488 = phi_1806_;
-                                                        let _e1489 = (_e1270 + 5u);
-                                                        let _e1490 = (_e1489 < _e99);
-                                                        if _e1490 {
-                                                            if _e1490 {
+                                                        let _e1011 = phi_1806_;
+                                                        let _e1012 = (_e793 + 5u);
+                                                        let _e1013 = (_e1012 < _e99);
+                                                        if _e1013 {
+                                                            if _e1013 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1492 = global_5.member[_e1489];
-                                                            phi_1821_ = _e1492;
+                                                            let _e1015 = global_5.member[_e1012];
+                                                            phi_1821_ = _e1015;
                                                         } else {
                                                             phi_1821_ = 0u;
                                                         }
-                                                        let _e1494 = phi_1821_;
-                                                        if _e1370 {
-                                                            phi_1831_ = ((_e1488 >> bitcast<u32>(21i)) | (_e1494 << bitcast<u32>(11i)));
+                                                        let _e1017 = phi_1821_;
+                                                        if _e893 {
+                                                            phi_1831_ = ((_e1011 >> bitcast<u32>(21i)) | (_e1017 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1831_ = (_e1494 >> bitcast<u32>(10i));
+                                                            phi_1831_ = (_e1017 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1503 = phi_1831_;
-                                                        if _e1387 {
-                                                            phi_1852_ = ((_e1488 >> bitcast<u32>(21i)) | (_e1494 << bitcast<u32>(11i)));
+                                                        let _e1026 = phi_1831_;
+                                                        if _e910 {
+                                                            phi_1852_ = ((_e1011 >> bitcast<u32>(21i)) | (_e1017 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1852_ = (_e1494 >> bitcast<u32>(10i));
+                                                            phi_1852_ = (_e1017 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1519 = phi_1852_;
-                                                        if _e1404 {
-                                                            phi_1873_ = ((_e1488 >> bitcast<u32>(21i)) | (_e1494 << bitcast<u32>(11i)));
+                                                        let _e1042 = phi_1852_;
+                                                        if _e927 {
+                                                            phi_1873_ = ((_e1011 >> bitcast<u32>(21i)) | (_e1017 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1873_ = (_e1494 >> bitcast<u32>(10i));
+                                                            phi_1873_ = (_e1017 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1535 = phi_1873_;
-                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1379, _e1363, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1396, _e1363, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1413, _e1363, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1442, _e1427, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1458, _e1427, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1474, _e1427, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1503, _e1488, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1519, _e1488, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1535, _e1488, _e443) & 2097151u))) - 8388608f) * _e147))));
+                                                        let _e1058 = phi_1873_;
+                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e902, _e886, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e919, _e886, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e936, _e886, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e965, _e950, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e981, _e950, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e997, _e950, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e709.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1026, _e1011, _e306) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1042, _e1011, _e375) & 2097151u))) - 8388608f) * _e147)), (_e709.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1058, _e1011, _e443) & 2097151u))) - 8388608f) * _e147))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1272 = (_e1270 + _e267);
-                                                        let _e1273 = (_e1272 < _e99);
-                                                        if _e1273 {
-                                                            if _e1273 {
+                                                        let _e795 = (_e793 + _e267);
+                                                        let _e796 = (_e795 < _e99);
+                                                        if _e796 {
+                                                            if _e796 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1275 = global_5.member[_e1272];
-                                                            phi_1904_ = _e1275;
+                                                            let _e798 = global_5.member[_e795];
+                                                            phi_1904_ = _e798;
                                                         } else {
                                                             phi_1904_ = 0u;
                                                         }
-                                                        let _e1277 = phi_1904_;
-                                                        let _e1281 = (_e1270 + _e266);
-                                                        let _e1282 = (_e1281 < _e99);
-                                                        if _e1282 {
-                                                            if _e1282 {
+                                                        let _e800 = phi_1904_;
+                                                        let _e804 = (_e793 + _e266);
+                                                        let _e805 = (_e804 < _e99);
+                                                        if _e805 {
+                                                            if _e805 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1284 = global_5.member[_e1281];
-                                                            phi_1922_ = _e1284;
+                                                            let _e807 = global_5.member[_e804];
+                                                            phi_1922_ = _e807;
                                                         } else {
                                                             phi_1922_ = 0u;
                                                         }
-                                                        let _e1286 = phi_1922_;
-                                                        let _e1290 = (_e1270 + _e268);
-                                                        let _e1291 = (_e1290 < _e99);
-                                                        if _e1291 {
-                                                            if _e1291 {
+                                                        let _e809 = phi_1922_;
+                                                        let _e813 = (_e793 + _e268);
+                                                        let _e814 = (_e813 < _e99);
+                                                        if _e814 {
+                                                            if _e814 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1293 = global_5.member[_e1290];
-                                                            phi_1940_ = _e1293;
+                                                            let _e816 = global_5.member[_e813];
+                                                            phi_1940_ = _e816;
                                                         } else {
                                                             phi_1940_ = 0u;
                                                         }
-                                                        let _e1295 = phi_1940_;
-                                                        let _e1300 = (_e1270 + 3u);
-                                                        let _e1301 = (_e1300 + _e267);
-                                                        let _e1302 = (_e1301 < _e99);
-                                                        if _e1302 {
-                                                            if _e1302 {
+                                                        let _e818 = phi_1940_;
+                                                        let _e823 = (_e793 + 3u);
+                                                        let _e824 = (_e823 + _e267);
+                                                        let _e825 = (_e824 < _e99);
+                                                        if _e825 {
+                                                            if _e825 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1304 = global_5.member[_e1301];
-                                                            phi_1963_ = _e1304;
+                                                            let _e827 = global_5.member[_e824];
+                                                            phi_1963_ = _e827;
                                                         } else {
                                                             phi_1963_ = 0u;
                                                         }
-                                                        let _e1306 = phi_1963_;
-                                                        let _e1310 = (_e1300 + _e266);
-                                                        let _e1311 = (_e1310 < _e99);
-                                                        if _e1311 {
-                                                            if _e1311 {
+                                                        let _e829 = phi_1963_;
+                                                        let _e833 = (_e823 + _e266);
+                                                        let _e834 = (_e833 < _e99);
+                                                        if _e834 {
+                                                            if _e834 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1313 = global_5.member[_e1310];
-                                                            phi_1981_ = _e1313;
+                                                            let _e836 = global_5.member[_e833];
+                                                            phi_1981_ = _e836;
                                                         } else {
                                                             phi_1981_ = 0u;
                                                         }
-                                                        let _e1315 = phi_1981_;
-                                                        let _e1319 = (_e1300 + _e268);
-                                                        let _e1320 = (_e1319 < _e99);
-                                                        if _e1320 {
-                                                            if _e1320 {
+                                                        let _e838 = phi_1981_;
+                                                        let _e842 = (_e823 + _e268);
+                                                        let _e843 = (_e842 < _e99);
+                                                        if _e843 {
+                                                            if _e843 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1322 = global_5.member[_e1319];
-                                                            phi_1999_ = _e1322;
+                                                            let _e845 = global_5.member[_e842];
+                                                            phi_1999_ = _e845;
                                                         } else {
                                                             phi_1999_ = 0u;
                                                         }
-                                                        let _e1324 = phi_1999_;
-                                                        let _e1329 = (_e1270 + 6u);
-                                                        let _e1330 = (_e1329 + _e267);
-                                                        let _e1331 = (_e1330 < _e99);
-                                                        if _e1331 {
-                                                            if _e1331 {
+                                                        let _e847 = phi_1999_;
+                                                        let _e852 = (_e793 + 6u);
+                                                        let _e853 = (_e852 + _e267);
+                                                        let _e854 = (_e853 < _e99);
+                                                        if _e854 {
+                                                            if _e854 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1333 = global_5.member[_e1330];
-                                                            phi_2022_ = _e1333;
+                                                            let _e856 = global_5.member[_e853];
+                                                            phi_2022_ = _e856;
                                                         } else {
                                                             phi_2022_ = 0u;
                                                         }
-                                                        let _e1335 = phi_2022_;
-                                                        let _e1339 = (_e1329 + _e266);
-                                                        let _e1340 = (_e1339 < _e99);
-                                                        if _e1340 {
-                                                            if _e1340 {
+                                                        let _e858 = phi_2022_;
+                                                        let _e862 = (_e852 + _e266);
+                                                        let _e863 = (_e862 < _e99);
+                                                        if _e863 {
+                                                            if _e863 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1342 = global_5.member[_e1339];
-                                                            phi_2040_ = _e1342;
+                                                            let _e865 = global_5.member[_e862];
+                                                            phi_2040_ = _e865;
                                                         } else {
                                                             phi_2040_ = 0u;
                                                         }
-                                                        let _e1344 = phi_2040_;
-                                                        let _e1348 = (_e1329 + _e268);
-                                                        let _e1349 = (_e1348 < _e99);
-                                                        if _e1349 {
-                                                            if _e1349 {
+                                                        let _e867 = phi_2040_;
+                                                        let _e871 = (_e852 + _e268);
+                                                        let _e872 = (_e871 < _e99);
+                                                        if _e872 {
+                                                            if _e872 {
                                                             } else {
-                                                                phi_4638_ = true;
+                                                                phi_4642_ = true;
                                                                 break;
                                                             }
-                                                            let _e1351 = global_5.member[_e1348];
-                                                            phi_2058_ = _e1351;
+                                                            let _e874 = global_5.member[_e871];
+                                                            phi_2058_ = _e874;
                                                         } else {
                                                             phi_2058_ = 0u;
                                                         }
-                                                        let _e1353 = phi_2058_;
-                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1277)) * _e147), (f32(bitcast<i32>(_e1286)) * _e147), (f32(bitcast<i32>(_e1295)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1306)) * _e147), (f32(bitcast<i32>(_e1315)) * _e147), (f32(bitcast<i32>(_e1324)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1335)) * _e147), (f32(bitcast<i32>(_e1344)) * _e147), (f32(bitcast<i32>(_e1353)) * _e147)));
+                                                        let _e876 = phi_2058_;
+                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e800)) * _e147), (f32(bitcast<i32>(_e809)) * _e147), (f32(bitcast<i32>(_e818)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e829)) * _e147), (f32(bitcast<i32>(_e838)) * _e147), (f32(bitcast<i32>(_e847)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e858)) * _e147), (f32(bitcast<i32>(_e867)) * _e147), (f32(bitcast<i32>(_e876)) * _e147)));
                                                         break;
                                                     }
                                                     default: {
@@ -1166,863 +1168,872 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1645 = phi_2064_;
-                                                let _e1653 = (_e1645[0][2] - _e468);
-                                                let _e1656 = (((_e1645[0][0] - _e331) * _e507) - (_e1653 * _e371));
-                                                let _e1659 = (((_e1645[0][1] - _e400) * _e507) - (_e1653 * _e439));
-                                                let _e1666 = (_e1645[1][2] - _e468);
-                                                let _e1669 = (((_e1645[1][0] - _e331) * _e507) - (_e1666 * _e371));
-                                                let _e1672 = (((_e1645[1][1] - _e400) * _e507) - (_e1666 * _e439));
-                                                let _e1679 = (_e1645[2][2] - _e468);
-                                                let _e1682 = (((_e1645[2][0] - _e331) * _e507) - (_e1679 * _e371));
-                                                let _e1685 = (((_e1645[2][1] - _e400) * _e507) - (_e1679 * _e439));
-                                                let _e1686 = (_e1682 * _e1672);
-                                                let _e1687 = (_e1685 * _e1669);
-                                                let _e1688 = (_e1656 * _e1685);
-                                                let _e1689 = (_e1659 * _e1682);
-                                                let _e1690 = (_e1669 * _e1659);
-                                                let _e1691 = (_e1672 * _e1656);
-                                                let _e1696 = (((_e1686 >= _e1687) && (_e1688 >= _e1689)) && (_e1690 >= _e1691));
-                                                if (_e1696 || (((_e1686 <= _e1687) && (_e1688 <= _e1689)) && (_e1690 <= _e1691))) {
-                                                    let _e1703 = select(-1f, 1f, _e1696);
-                                                    let _e1705 = ((_e1686 - _e1687) * _e1703);
-                                                    let _e1707 = select(0f, _e1705, (_e1705 > 0f));
-                                                    let _e1709 = ((_e1688 - _e1689) * _e1703);
-                                                    let _e1711 = select(0f, _e1709, (_e1709 > 0f));
-                                                    let _e1713 = ((_e1690 - _e1691) * _e1703);
-                                                    let _e1715 = select(0f, _e1713, (_e1713 > 0f));
-                                                    let _e1717 = ((_e1707 + _e1711) + _e1715);
-                                                    if (_e1717 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e1168 = phi_2064_;
+                                                let _e1176 = (_e1168[0][2] - _e468);
+                                                let _e1179 = (((_e1168[0][0] - _e331) * _e507) - (_e1176 * _e371));
+                                                let _e1182 = (((_e1168[0][1] - _e400) * _e507) - (_e1176 * _e439));
+                                                let _e1189 = (_e1168[1][2] - _e468);
+                                                let _e1192 = (((_e1168[1][0] - _e331) * _e507) - (_e1189 * _e371));
+                                                let _e1195 = (((_e1168[1][1] - _e400) * _e507) - (_e1189 * _e439));
+                                                let _e1202 = (_e1168[2][2] - _e468);
+                                                let _e1205 = (((_e1168[2][0] - _e331) * _e507) - (_e1202 * _e371));
+                                                let _e1208 = (((_e1168[2][1] - _e400) * _e507) - (_e1202 * _e439));
+                                                let _e1209 = (_e1205 * _e1195);
+                                                let _e1210 = (_e1208 * _e1192);
+                                                let _e1211 = (_e1179 * _e1208);
+                                                let _e1212 = (_e1182 * _e1205);
+                                                let _e1213 = (_e1192 * _e1182);
+                                                let _e1214 = (_e1195 * _e1179);
+                                                let _e1219 = (((_e1209 >= _e1210) && (_e1211 >= _e1212)) && (_e1213 >= _e1214));
+                                                if (_e1219 || (((_e1209 <= _e1210) && (_e1211 <= _e1212)) && (_e1213 <= _e1214))) {
+                                                    let _e1226 = select(-1f, 1f, _e1219);
+                                                    let _e1228 = ((_e1209 - _e1210) * _e1226);
+                                                    let _e1230 = select(0f, _e1228, (_e1228 > 0f));
+                                                    let _e1232 = ((_e1211 - _e1212) * _e1226);
+                                                    let _e1234 = select(0f, _e1232, (_e1232 > 0f));
+                                                    let _e1236 = ((_e1213 - _e1214) * _e1226);
+                                                    let _e1238 = select(0f, _e1236, (_e1236 > 0f));
+                                                    let _e1240 = ((_e1230 + _e1234) + _e1238);
+                                                    if (_e1240 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2948_ = type_20();
                                                         phi_2949_ = true;
                                                         phi_2950_ = false;
                                                     } else {
-                                                        let _e1720 = select(_e1669, _e1656, (_e1656 < _e1669));
-                                                        if (select(_e1682, _e1720, (_e1720 < _e1682)) > 0f) {
+                                                        let _e1243 = select(_e1192, _e1179, (_e1179 < _e1192));
+                                                        if (select(_e1205, _e1243, (_e1243 < _e1205)) > 0f) {
                                                             phi_2216_ = true;
                                                         } else {
-                                                            let _e1725 = select(_e1669, _e1656, (_e1656 > _e1669));
-                                                            phi_2216_ = (select(_e1682, _e1725, (_e1725 > _e1682)) < 0f);
+                                                            let _e1248 = select(_e1192, _e1179, (_e1179 > _e1192));
+                                                            phi_2216_ = (select(_e1205, _e1248, (_e1248 > _e1205)) < 0f);
                                                         }
-                                                        let _e1730 = phi_2216_;
-                                                        if _e1730 {
+                                                        let _e1253 = phi_2216_;
+                                                        if _e1253 {
                                                             phi_2945_ = type_20();
                                                             phi_2946_ = true;
                                                             phi_2947_ = false;
                                                         } else {
-                                                            let _e1732 = select(_e1672, _e1659, (_e1659 < _e1672));
-                                                            if (select(_e1685, _e1732, (_e1732 < _e1685)) > 0f) {
+                                                            let _e1255 = select(_e1195, _e1182, (_e1182 < _e1195));
+                                                            if (select(_e1208, _e1255, (_e1255 < _e1208)) > 0f) {
                                                                 phi_2245_ = true;
                                                             } else {
-                                                                let _e1737 = select(_e1672, _e1659, (_e1659 > _e1672));
-                                                                phi_2245_ = (select(_e1685, _e1737, (_e1737 > _e1685)) < 0f);
+                                                                let _e1260 = select(_e1195, _e1182, (_e1182 > _e1195));
+                                                                phi_2245_ = (select(_e1208, _e1260, (_e1260 > _e1208)) < 0f);
                                                             }
-                                                            let _e1742 = phi_2245_;
-                                                            if _e1742 {
+                                                            let _e1265 = phi_2245_;
+                                                            if _e1265 {
                                                                 phi_2943_ = type_20();
                                                                 phi_2944_ = false;
                                                             } else {
-                                                                let _e1744 = select(_e1645[1][0], _e1645[0][0], (_e1645[0][0] < _e1645[1][0]));
-                                                                let _e1748 = select(_e1645[1][0], _e1645[0][0], (_e1645[0][0] > _e1645[1][0]));
-                                                                let _e1752 = select(_e1645[1][1], _e1645[0][1], (_e1645[0][1] < _e1645[1][1]));
-                                                                let _e1756 = select(_e1645[1][1], _e1645[0][1], (_e1645[0][1] > _e1645[1][1]));
-                                                                let _e1760 = select(_e1645[1][2], _e1645[0][2], (_e1645[0][2] < _e1645[1][2]));
-                                                                let _e1764 = select(_e1645[1][2], _e1645[0][2], (_e1645[0][2] > _e1645[1][2]));
-                                                                let _e1769 = ((select(_e1645[2][0], _e1744, (_e1744 < _e1645[2][0])) - _e369) * _e374);
-                                                                let _e1770 = ((select(_e1645[2][0], _e1748, (_e1748 > _e1645[2][0])) - _e370) * _e374);
-                                                                let _e1773 = ((select(_e1645[2][1], _e1752, (_e1752 < _e1645[2][1])) - _e437) * _e442);
-                                                                let _e1774 = ((select(_e1645[2][1], _e1756, (_e1756 > _e1645[2][1])) - _e438) * _e442);
-                                                                let _e1777 = ((select(_e1645[2][2], _e1760, (_e1760 < _e1645[2][2])) - _e505) * _e510);
-                                                                let _e1778 = ((select(_e1645[2][2], _e1764, (_e1764 > _e1645[2][2])) - _e506) * _e510);
-                                                                let _e1780 = select(_e1778, _e1777, (_e1777 < _e1778));
-                                                                let _e1782 = select(_e1778, _e1777, (_e1777 > _e1778));
-                                                                let _e1784 = select(_e1770, _e1769, (_e1769 < _e1770));
-                                                                let _e1786 = select(_e1774, _e1773, (_e1773 < _e1774));
-                                                                let _e1788 = select(_e1786, _e1784, (_e1784 > _e1786));
-                                                                let _e1790 = select(_e1780, _e1788, (_e1788 > _e1780));
-                                                                let _e1792 = select(_e1770, _e1769, (_e1769 > _e1770));
-                                                                let _e1794 = select(_e1774, _e1773, (_e1773 > _e1774));
-                                                                let _e1796 = select(_e1794, _e1792, (_e1792 < _e1794));
-                                                                let _e1798 = select(_e1782, _e1796, (_e1796 < _e1782));
-                                                                let _e1799 = -(_e1780);
-                                                                let _e1805 = select(_e622, _e1790, (_e1790 > _e622));
-                                                                if (_e1805 > (_e1798 + (select(_e1799, _e1782, (_e1782 > _e1799)) * 0.0000019073523f))) {
+                                                                let _e1267 = select(_e1168[1][0], _e1168[0][0], (_e1168[0][0] < _e1168[1][0]));
+                                                                let _e1271 = select(_e1168[1][0], _e1168[0][0], (_e1168[0][0] > _e1168[1][0]));
+                                                                let _e1275 = select(_e1168[1][1], _e1168[0][1], (_e1168[0][1] < _e1168[1][1]));
+                                                                let _e1279 = select(_e1168[1][1], _e1168[0][1], (_e1168[0][1] > _e1168[1][1]));
+                                                                let _e1283 = select(_e1168[1][2], _e1168[0][2], (_e1168[0][2] < _e1168[1][2]));
+                                                                let _e1287 = select(_e1168[1][2], _e1168[0][2], (_e1168[0][2] > _e1168[1][2]));
+                                                                let _e1292 = ((select(_e1168[2][0], _e1267, (_e1267 < _e1168[2][0])) - _e369) * _e374);
+                                                                let _e1293 = ((select(_e1168[2][0], _e1271, (_e1271 > _e1168[2][0])) - _e370) * _e374);
+                                                                let _e1296 = ((select(_e1168[2][1], _e1275, (_e1275 < _e1168[2][1])) - _e437) * _e442);
+                                                                let _e1297 = ((select(_e1168[2][1], _e1279, (_e1279 > _e1168[2][1])) - _e438) * _e442);
+                                                                let _e1300 = ((select(_e1168[2][2], _e1283, (_e1283 < _e1168[2][2])) - _e505) * _e510);
+                                                                let _e1301 = ((select(_e1168[2][2], _e1287, (_e1287 > _e1168[2][2])) - _e506) * _e510);
+                                                                let _e1303 = select(_e1301, _e1300, (_e1300 < _e1301));
+                                                                let _e1305 = select(_e1301, _e1300, (_e1300 > _e1301));
+                                                                let _e1307 = select(_e1293, _e1292, (_e1292 < _e1293));
+                                                                let _e1309 = select(_e1297, _e1296, (_e1296 < _e1297));
+                                                                let _e1311 = select(_e1309, _e1307, (_e1307 > _e1309));
+                                                                let _e1313 = select(_e1303, _e1311, (_e1311 > _e1303));
+                                                                let _e1315 = select(_e1293, _e1292, (_e1292 > _e1293));
+                                                                let _e1317 = select(_e1297, _e1296, (_e1296 > _e1297));
+                                                                let _e1319 = select(_e1317, _e1315, (_e1315 < _e1317));
+                                                                let _e1321 = select(_e1305, _e1319, (_e1319 < _e1305));
+                                                                let _e1322 = -(_e1303);
+                                                                let _e1328 = select(_e622, _e1313, (_e1313 > _e622));
+                                                                if (_e1328 > (_e1321 + (select(_e1322, _e1305, (_e1305 > _e1322)) * 0.0000019073523f))) {
                                                                     phi_2938_ = type_20();
                                                                     phi_2939_ = true;
                                                                 } else {
-                                                                    let _e1807 = (_e1805 > _e1198.member_1);
-                                                                    if _e1807 {
+                                                                    let _e1330 = (_e1328 > _e721.member_1);
+                                                                    if _e1330 {
                                                                         phi_2937_ = type_20();
                                                                     } else {
-                                                                        let _e1808 = vec3<f32>(_e1645[0][0], _e1645[0][1], _e1645[0][2]);
-                                                                        let _e1809 = vec3<f32>(_e1645[1][0], _e1645[1][1], _e1645[1][2]);
-                                                                        let _e1810 = vec3<f32>(_e1645[2][0], _e1645[2][1], _e1645[2][2]);
-                                                                        let _e1811 = (_e1645[1][0] - _e1645[0][0]);
-                                                                        let _e1812 = (_e1645[1][1] - _e1645[0][1]);
-                                                                        let _e1813 = (_e1645[1][2] - _e1645[0][2]);
-                                                                        let _e1814 = vec3<f32>(_e1811, _e1812, _e1813);
-                                                                        let _e1815 = (_e1645[2][0] - _e1645[1][0]);
-                                                                        let _e1816 = (_e1645[2][1] - _e1645[1][1]);
-                                                                        let _e1817 = (_e1645[2][2] - _e1645[1][2]);
-                                                                        let _e1818 = vec3<f32>(_e1815, _e1816, _e1817);
-                                                                        let _e1819 = (_e1645[0][0] - _e1645[2][0]);
-                                                                        let _e1820 = (_e1645[0][1] - _e1645[2][1]);
-                                                                        let _e1821 = (_e1645[0][2] - _e1645[2][2]);
-                                                                        let _e1822 = vec3<f32>(_e1819, _e1820, _e1821);
-                                                                        let _e1825 = bitcast<f32>((bitcast<u32>(_e1811) & 2147483647u));
-                                                                        let _e1828 = bitcast<f32>((bitcast<u32>(_e1812) & 2147483647u));
-                                                                        let _e1830 = select(_e1828, _e1825, (_e1825 > _e1828));
-                                                                        let _e1833 = bitcast<f32>((bitcast<u32>(_e1813) & 2147483647u));
-                                                                        let _e1835 = select(_e1833, _e1830, (_e1830 > _e1833));
-                                                                        let _e1838 = bitcast<f32>((bitcast<u32>(_e1815) & 2147483647u));
-                                                                        let _e1841 = bitcast<f32>((bitcast<u32>(_e1816) & 2147483647u));
-                                                                        let _e1843 = select(_e1841, _e1838, (_e1838 > _e1841));
-                                                                        let _e1846 = bitcast<f32>((bitcast<u32>(_e1817) & 2147483647u));
-                                                                        let _e1848 = select(_e1846, _e1843, (_e1843 > _e1846));
-                                                                        let _e1851 = bitcast<f32>((bitcast<u32>(_e1819) & 2147483647u));
-                                                                        let _e1854 = bitcast<f32>((bitcast<u32>(_e1820) & 2147483647u));
-                                                                        let _e1856 = select(_e1854, _e1851, (_e1851 > _e1854));
-                                                                        let _e1859 = bitcast<f32>((bitcast<u32>(_e1821) & 2147483647u));
-                                                                        let _e1861 = select(_e1859, _e1856, (_e1856 > _e1859));
-                                                                        let _e1863 = select(_e1848, _e1835, (_e1835 > _e1848));
-                                                                        let _e1865 = select(_e1861, _e1863, (_e1863 > _e1861));
-                                                                        if (_e1835 == _e1865) {
-                                                                            phi_2664_ = _e1672;
-                                                                            phi_2665_ = _e1669;
-                                                                            phi_2666_ = _e1659;
-                                                                            phi_2667_ = _e1656;
-                                                                            phi_2668_ = _e1808;
-                                                                            phi_2669_ = _e1822;
-                                                                            phi_2670_ = _e1818;
-                                                                            phi_2671_ = _e1814;
+                                                                        let _e1331 = vec3<f32>(_e1168[0][0], _e1168[0][1], _e1168[0][2]);
+                                                                        let _e1332 = vec3<f32>(_e1168[1][0], _e1168[1][1], _e1168[1][2]);
+                                                                        let _e1333 = vec3<f32>(_e1168[2][0], _e1168[2][1], _e1168[2][2]);
+                                                                        let _e1334 = (_e1168[1][0] - _e1168[0][0]);
+                                                                        let _e1335 = (_e1168[1][1] - _e1168[0][1]);
+                                                                        let _e1336 = (_e1168[1][2] - _e1168[0][2]);
+                                                                        let _e1337 = vec3<f32>(_e1334, _e1335, _e1336);
+                                                                        let _e1338 = (_e1168[2][0] - _e1168[1][0]);
+                                                                        let _e1339 = (_e1168[2][1] - _e1168[1][1]);
+                                                                        let _e1340 = (_e1168[2][2] - _e1168[1][2]);
+                                                                        let _e1341 = vec3<f32>(_e1338, _e1339, _e1340);
+                                                                        let _e1342 = (_e1168[0][0] - _e1168[2][0]);
+                                                                        let _e1343 = (_e1168[0][1] - _e1168[2][1]);
+                                                                        let _e1344 = (_e1168[0][2] - _e1168[2][2]);
+                                                                        let _e1345 = vec3<f32>(_e1342, _e1343, _e1344);
+                                                                        let _e1348 = bitcast<f32>((bitcast<u32>(_e1334) & 2147483647u));
+                                                                        let _e1351 = bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u));
+                                                                        let _e1353 = select(_e1351, _e1348, (_e1348 > _e1351));
+                                                                        let _e1356 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
+                                                                        let _e1358 = select(_e1356, _e1353, (_e1353 > _e1356));
+                                                                        let _e1361 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
+                                                                        let _e1364 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
+                                                                        let _e1366 = select(_e1364, _e1361, (_e1361 > _e1364));
+                                                                        let _e1369 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
+                                                                        let _e1371 = select(_e1369, _e1366, (_e1366 > _e1369));
+                                                                        let _e1374 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
+                                                                        let _e1377 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
+                                                                        let _e1379 = select(_e1377, _e1374, (_e1374 > _e1377));
+                                                                        let _e1382 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
+                                                                        let _e1384 = select(_e1382, _e1379, (_e1379 > _e1382));
+                                                                        let _e1386 = select(_e1371, _e1358, (_e1358 > _e1371));
+                                                                        let _e1388 = select(_e1384, _e1386, (_e1386 > _e1384));
+                                                                        if (_e1358 == _e1388) {
+                                                                            phi_2664_ = _e1195;
+                                                                            phi_2665_ = _e1192;
+                                                                            phi_2666_ = _e1182;
+                                                                            phi_2667_ = _e1179;
+                                                                            phi_2668_ = _e1331;
+                                                                            phi_2669_ = _e1345;
+                                                                            phi_2670_ = _e1341;
+                                                                            phi_2671_ = _e1337;
                                                                         } else {
-                                                                            let _e1867 = (_e1848 == _e1865);
-                                                                            let _e1872 = vec3(_e1867);
-                                                                            phi_2664_ = select(_e1659, _e1685, _e1867);
-                                                                            phi_2665_ = select(_e1656, _e1682, _e1867);
-                                                                            phi_2666_ = select(_e1685, _e1672, _e1867);
-                                                                            phi_2667_ = select(_e1682, _e1669, _e1867);
-                                                                            phi_2668_ = select(_e1810, _e1809, _e1872);
-                                                                            phi_2669_ = select(_e1818, _e1814, _e1872);
-                                                                            phi_2670_ = select(_e1814, _e1822, _e1872);
-                                                                            phi_2671_ = select(_e1822, _e1818, _e1872);
+                                                                            let _e1390 = (_e1371 == _e1388);
+                                                                            let _e1395 = vec3(_e1390);
+                                                                            phi_2664_ = select(_e1182, _e1208, _e1390);
+                                                                            phi_2665_ = select(_e1179, _e1205, _e1390);
+                                                                            phi_2666_ = select(_e1208, _e1195, _e1390);
+                                                                            phi_2667_ = select(_e1205, _e1192, _e1390);
+                                                                            phi_2668_ = select(_e1333, _e1332, _e1395);
+                                                                            phi_2669_ = select(_e1341, _e1337, _e1395);
+                                                                            phi_2670_ = select(_e1337, _e1345, _e1395);
+                                                                            phi_2671_ = select(_e1345, _e1341, _e1395);
                                                                         }
-                                                                        let _e1878 = phi_2664_;
-                                                                        let _e1880 = phi_2665_;
-                                                                        let _e1882 = phi_2666_;
-                                                                        let _e1884 = phi_2667_;
-                                                                        let _e1886 = phi_2668_;
-                                                                        let _e1888 = phi_2669_;
-                                                                        let _e1890 = phi_2670_;
-                                                                        let _e1892 = phi_2671_;
-                                                                        let _e1899 = ((_e1890.y * _e1888.z) - (_e1888.y * _e1890.z));
-                                                                        let _e1904 = ((_e1890.z * _e1888.x) - (_e1888.z * _e1890.x));
-                                                                        let _e1907 = ((_e1890.x * _e1888.y) - (_e1888.x * _e1890.y));
-                                                                        if (_e1707 >= _e1711) {
-                                                                            phi_2708_ = select(true, false, (_e1707 >= _e1715));
+                                                                        let _e1401 = phi_2664_;
+                                                                        let _e1403 = phi_2665_;
+                                                                        let _e1405 = phi_2666_;
+                                                                        let _e1407 = phi_2667_;
+                                                                        let _e1409 = phi_2668_;
+                                                                        let _e1411 = phi_2669_;
+                                                                        let _e1413 = phi_2670_;
+                                                                        let _e1415 = phi_2671_;
+                                                                        let _e1422 = ((_e1413.y * _e1411.z) - (_e1411.y * _e1413.z));
+                                                                        let _e1427 = ((_e1413.z * _e1411.x) - (_e1411.z * _e1413.x));
+                                                                        let _e1430 = ((_e1413.x * _e1411.y) - (_e1411.x * _e1413.y));
+                                                                        if (_e1230 >= _e1234) {
+                                                                            phi_2708_ = select(true, false, (_e1230 >= _e1238));
                                                                         } else {
                                                                             phi_2708_ = true;
                                                                         }
-                                                                        let _e1912 = phi_2708_;
-                                                                        if _e1912 {
-                                                                            phi_2717_ = select(_e1810, _e1809, vec3((_e1711 >= _e1715)));
+                                                                        let _e1435 = phi_2708_;
+                                                                        if _e1435 {
+                                                                            phi_2717_ = select(_e1333, _e1332, vec3((_e1234 >= _e1238)));
                                                                         } else {
-                                                                            phi_2717_ = _e1808;
+                                                                            phi_2717_ = _e1331;
                                                                         }
-                                                                        let _e1917 = phi_2717_;
-                                                                        let _e1928 = (((_e1899 * (_e1917.x - _e331)) + (_e1904 * (_e1917.y - _e400))) + (_e1907 * (_e1917.z - _e468)));
-                                                                        let _e1933 = (((_e1899 * _e371) + (_e1904 * _e439)) + (_e1907 * _e507));
-                                                                        let _e1934 = (_e1880 - _e1884);
-                                                                        let _e1935 = (_e1878 - _e1882);
-                                                                        let _e1943 = (-(((_e1884 * _e1934) + (_e1882 * _e1935))) / ((_e1934 * _e1934) + (_e1935 * _e1935)));
-                                                                        let _e1945 = select(1f, _e1943, (_e1943 < 1f));
-                                                                        let _e1947 = select(0f, _e1945, (_e1945 > 0f));
-                                                                        let _e1960 = ((_e1886.x + (_e1892.x * _e1947)) - _e331);
-                                                                        let _e1961 = ((_e1886.y + (_e1892.y * _e1947)) - _e400);
-                                                                        let _e1962 = ((_e1886.z + (_e1892.z * _e1947)) - _e468);
-                                                                        let _e1963 = (_e1962 / _e507);
-                                                                        let _e1975 = bitcast<f32>((bitcast<u32>(_e1960) & 2147483647u));
-                                                                        let _e1978 = bitcast<f32>((bitcast<u32>(_e1961) & 2147483647u));
-                                                                        let _e1980 = select(_e1978, _e1975, (_e1975 > _e1978));
-                                                                        let _e1983 = bitcast<f32>((bitcast<u32>(_e1962) & 2147483647u));
-                                                                        let _e1985 = select(_e1983, _e1980, (_e1980 > _e1983));
-                                                                        let _e1991 = bitcast<f32>((bitcast<u32>(_e1899) & 2147483647u));
-                                                                        let _e1994 = bitcast<f32>((bitcast<u32>(_e1904) & 2147483647u));
-                                                                        let _e1996 = select(_e1994, _e1991, (_e1991 > _e1994));
-                                                                        let _e1999 = bitcast<f32>((bitcast<u32>(_e1907) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1899 * _e1960) + (_e1904 * _e1961)) + (_e1907 * _e1962)) - _e1928)) & 2147483647u)) <= ((0.0000009536743f * select(_e1865, _e1985, (_e1985 > _e1865))) * select(_e1999, _e1996, (_e1996 > _e1999)))) {
-                                                                            let _e2009 = bitcast<f32>((bitcast<u32>(_e1890.x) & 2147483647u));
-                                                                            let _e2012 = bitcast<f32>((bitcast<u32>(_e1890.y) & 2147483647u));
-                                                                            let _e2014 = select(_e2012, _e2009, (_e2009 > _e2012));
-                                                                            let _e2017 = bitcast<f32>((bitcast<u32>(_e1890.z) & 2147483647u));
-                                                                            let _e2023 = bitcast<f32>((bitcast<u32>(_e1888.x) & 2147483647u));
-                                                                            let _e2026 = bitcast<f32>((bitcast<u32>(_e1888.y) & 2147483647u));
-                                                                            let _e2028 = select(_e2026, _e2023, (_e2023 > _e2026));
-                                                                            let _e2031 = bitcast<f32>((bitcast<u32>(_e1888.z) & 2147483647u));
-                                                                            let _e2035 = (bitcast<f32>((bitcast<u32>(_e1933) & 2147483647u)) > ((0.0000038146973f * select(_e2017, _e2014, (_e2014 > _e2017))) * select(_e2031, _e2028, (_e2028 > _e2031))));
-                                                                            if _e2035 {
-                                                                                phi_2882_ = (_e1928 / _e1933);
+                                                                        let _e1440 = phi_2717_;
+                                                                        let _e1451 = (((_e1422 * (_e1440.x - _e331)) + (_e1427 * (_e1440.y - _e400))) + (_e1430 * (_e1440.z - _e468)));
+                                                                        let _e1456 = (((_e1422 * _e371) + (_e1427 * _e439)) + (_e1430 * _e507));
+                                                                        let _e1457 = (_e1403 - _e1407);
+                                                                        let _e1458 = (_e1401 - _e1405);
+                                                                        let _e1466 = (-(((_e1407 * _e1457) + (_e1405 * _e1458))) / ((_e1457 * _e1457) + (_e1458 * _e1458)));
+                                                                        let _e1468 = select(1f, _e1466, (_e1466 < 1f));
+                                                                        let _e1470 = select(0f, _e1468, (_e1468 > 0f));
+                                                                        let _e1483 = ((_e1409.x + (_e1415.x * _e1470)) - _e331);
+                                                                        let _e1484 = ((_e1409.y + (_e1415.y * _e1470)) - _e400);
+                                                                        let _e1485 = ((_e1409.z + (_e1415.z * _e1470)) - _e468);
+                                                                        let _e1486 = (_e1485 / _e507);
+                                                                        let _e1498 = bitcast<f32>((bitcast<u32>(_e1483) & 2147483647u));
+                                                                        let _e1501 = bitcast<f32>((bitcast<u32>(_e1484) & 2147483647u));
+                                                                        let _e1503 = select(_e1501, _e1498, (_e1498 > _e1501));
+                                                                        let _e1506 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
+                                                                        let _e1508 = select(_e1506, _e1503, (_e1503 > _e1506));
+                                                                        let _e1514 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
+                                                                        let _e1517 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                                        let _e1519 = select(_e1517, _e1514, (_e1514 > _e1517));
+                                                                        let _e1522 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1422 * _e1483) + (_e1427 * _e1484)) + (_e1430 * _e1485)) - _e1451)) & 2147483647u)) <= ((0.0000009536743f * select(_e1388, _e1508, (_e1508 > _e1388))) * select(_e1522, _e1519, (_e1519 > _e1522)))) {
+                                                                            let _e1532 = bitcast<f32>((bitcast<u32>(_e1413.x) & 2147483647u));
+                                                                            let _e1535 = bitcast<f32>((bitcast<u32>(_e1413.y) & 2147483647u));
+                                                                            let _e1537 = select(_e1535, _e1532, (_e1532 > _e1535));
+                                                                            let _e1540 = bitcast<f32>((bitcast<u32>(_e1413.z) & 2147483647u));
+                                                                            let _e1546 = bitcast<f32>((bitcast<u32>(_e1411.x) & 2147483647u));
+                                                                            let _e1549 = bitcast<f32>((bitcast<u32>(_e1411.y) & 2147483647u));
+                                                                            let _e1551 = select(_e1549, _e1546, (_e1546 > _e1549));
+                                                                            let _e1554 = bitcast<f32>((bitcast<u32>(_e1411.z) & 2147483647u));
+                                                                            let _e1558 = (bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u)) > ((0.0000038146973f * select(_e1540, _e1537, (_e1537 > _e1540))) * select(_e1554, _e1551, (_e1551 > _e1554))));
+                                                                            if _e1558 {
+                                                                                phi_2882_ = (_e1451 / _e1456);
                                                                             } else {
                                                                                 phi_2882_ = f32();
                                                                             }
-                                                                            let _e2038 = phi_2882_;
-                                                                            phi_2884_ = _e2038;
-                                                                            phi_2885_ = select(true, false, _e2035);
+                                                                            let _e1561 = phi_2882_;
+                                                                            phi_2884_ = _e1561;
+                                                                            phi_2885_ = select(true, false, _e1558);
                                                                         } else {
                                                                             phi_2884_ = f32();
                                                                             phi_2885_ = true;
                                                                         }
-                                                                        let _e2041 = phi_2884_;
-                                                                        let _e2043 = phi_2885_;
-                                                                        if _e2043 {
-                                                                            let _e2051 = (((_e1899 * (_e1960 - (_e371 * _e1963))) + (_e1904 * (_e1961 - (_e439 * _e1963)))) / _e1933);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e2051) & 2147483647u)) <= _e1865) {
-                                                                                phi_2905_ = (_e1963 + _e2051);
+                                                                        let _e1564 = phi_2884_;
+                                                                        let _e1566 = phi_2885_;
+                                                                        if _e1566 {
+                                                                            let _e1574 = (((_e1422 * (_e1483 - (_e371 * _e1486))) + (_e1427 * (_e1484 - (_e439 * _e1486)))) / _e1456);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u)) <= _e1388) {
+                                                                                phi_2905_ = (_e1486 + _e1574);
                                                                             } else {
-                                                                                phi_2905_ = _e1963;
+                                                                                phi_2905_ = _e1486;
                                                                             }
-                                                                            let _e2058 = phi_2905_;
-                                                                            phi_2906_ = _e2058;
+                                                                            let _e1581 = phi_2905_;
+                                                                            phi_2906_ = _e1581;
                                                                         } else {
-                                                                            phi_2906_ = _e2041;
+                                                                            phi_2906_ = _e1564;
                                                                         }
-                                                                        let _e2060 = phi_2906_;
-                                                                        let _e2062 = select(_e1798, _e2060, (_e2060 < _e1798));
-                                                                        let _e2064 = select(_e1790, _e2062, (_e2062 > _e1790));
-                                                                        if (_e2064 >= _e622) {
-                                                                            let _e2066 = (_e2064 <= _e1198.member_1);
-                                                                            if _e2066 {
-                                                                                let _e2067 = (1f / _e1717);
-                                                                                phi_2929_ = type_20(_e2064, (_e1711 * _e2067), (_e1715 * _e2067), _e1258);
+                                                                        let _e1583 = phi_2906_;
+                                                                        let _e1585 = select(_e1321, _e1583, (_e1583 < _e1321));
+                                                                        let _e1587 = select(_e1313, _e1585, (_e1585 > _e1313));
+                                                                        if (_e1587 >= _e622) {
+                                                                            let _e1589 = (_e1587 <= _e721.member_1);
+                                                                            if _e1589 {
+                                                                                let _e1590 = (1f / _e1240);
+                                                                                phi_2929_ = type_20(_e1587, (_e1234 * _e1590), (_e1238 * _e1590), _e781);
                                                                             } else {
                                                                                 phi_2929_ = type_20();
                                                                             }
-                                                                            let _e2072 = phi_2929_;
-                                                                            phi_2931_ = _e2072;
-                                                                            phi_2932_ = select(true, false, _e2066);
+                                                                            let _e1595 = phi_2929_;
+                                                                            phi_2931_ = _e1595;
+                                                                            phi_2932_ = select(true, false, _e1589);
                                                                         } else {
                                                                             phi_2931_ = type_20();
                                                                             phi_2932_ = true;
                                                                         }
-                                                                        let _e2075 = phi_2931_;
-                                                                        let _e2077 = phi_2932_;
-                                                                        if _e2077 {
+                                                                        let _e1598 = phi_2931_;
+                                                                        let _e1600 = phi_2932_;
+                                                                        if _e1600 {
                                                                             phi_2936_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2936_ = _e2075;
+                                                                            phi_2936_ = _e1598;
                                                                         }
-                                                                        let _e2079 = phi_2936_;
-                                                                        phi_2937_ = _e2079;
+                                                                        let _e1602 = phi_2936_;
+                                                                        phi_2937_ = _e1602;
                                                                     }
-                                                                    let _e2081 = phi_2937_;
-                                                                    phi_2938_ = _e2081;
-                                                                    phi_2939_ = _e1807;
+                                                                    let _e1604 = phi_2937_;
+                                                                    phi_2938_ = _e1604;
+                                                                    phi_2939_ = _e1330;
                                                                 }
-                                                                let _e2083 = phi_2938_;
-                                                                let _e2085 = phi_2939_;
-                                                                phi_2943_ = _e2083;
-                                                                phi_2944_ = _e2085;
+                                                                let _e1606 = phi_2938_;
+                                                                let _e1608 = phi_2939_;
+                                                                phi_2943_ = _e1606;
+                                                                phi_2944_ = _e1608;
                                                             }
-                                                            let _e2087 = phi_2943_;
-                                                            let _e2089 = phi_2944_;
-                                                            phi_2945_ = _e2087;
-                                                            phi_2946_ = _e1742;
-                                                            phi_2947_ = _e2089;
+                                                            let _e1610 = phi_2943_;
+                                                            let _e1612 = phi_2944_;
+                                                            phi_2945_ = _e1610;
+                                                            phi_2946_ = _e1265;
+                                                            phi_2947_ = _e1612;
                                                         }
-                                                        let _e2091 = phi_2945_;
-                                                        let _e2093 = phi_2946_;
-                                                        let _e2095 = phi_2947_;
-                                                        phi_2948_ = _e2091;
-                                                        phi_2949_ = _e2093;
-                                                        phi_2950_ = _e2095;
+                                                        let _e1614 = phi_2945_;
+                                                        let _e1616 = phi_2946_;
+                                                        let _e1618 = phi_2947_;
+                                                        phi_2948_ = _e1614;
+                                                        phi_2949_ = _e1616;
+                                                        phi_2950_ = _e1618;
                                                     }
-                                                    let _e2097 = phi_2948_;
-                                                    let _e2099 = phi_2949_;
-                                                    let _e2101 = phi_2950_;
-                                                    phi_2958_ = _e2097;
-                                                    phi_2959_ = select(_e2101, true, _e2099);
+                                                    let _e1620 = phi_2948_;
+                                                    let _e1622 = phi_2949_;
+                                                    let _e1624 = phi_2950_;
+                                                    phi_2958_ = _e1620;
+                                                    phi_2959_ = select(_e1624, true, _e1622);
                                                 } else {
                                                     phi_2958_ = type_20();
                                                     phi_2959_ = true;
                                                 }
-                                                let _e2104 = phi_2958_;
-                                                let _e2106 = phi_2959_;
-                                                if _e2106 {
+                                                let _e1627 = phi_2958_;
+                                                let _e1629 = phi_2959_;
+                                                if _e1629 {
                                                     phi_2963_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2963_ = _e2104;
+                                                    phi_2963_ = _e1627;
                                                 }
-                                                let _e2108 = phi_2963_;
-                                                if (_e2108.member_3 != 4294967295u) {
-                                                    if (_e1258 != 4294967295u) {
-                                                        if (_e2108.member < _e1198.member.member) {
+                                                let _e1631 = phi_2963_;
+                                                if (_e1631.member_3 != 4294967295u) {
+                                                    if (_e781 != 4294967295u) {
+                                                        if (_e1631.member < _e721.member.member) {
                                                             phi_2989_ = true;
                                                         } else {
-                                                            if (_e2108.member == _e1198.member.member) {
-                                                                phi_2988_ = (_e2108.member_3 < _e1198.member.member_3);
+                                                            if (_e1631.member == _e721.member.member) {
+                                                                phi_2988_ = (_e1631.member_3 < _e721.member.member_3);
                                                             } else {
                                                                 phi_2988_ = false;
                                                             }
-                                                            let _e2121 = phi_2988_;
-                                                            phi_2989_ = _e2121;
+                                                            let _e1644 = phi_2988_;
+                                                            phi_2989_ = _e1644;
                                                         }
-                                                        let _e2123 = phi_2989_;
-                                                        if _e2123 {
-                                                            phi_2995_ = type_33(_e2108, _e2108.member);
+                                                        let _e1646 = phi_2989_;
+                                                        if _e1646 {
+                                                            phi_2995_ = type_33(_e1631, _e1631.member);
                                                         } else {
-                                                            phi_2995_ = _e1198;
+                                                            phi_2995_ = _e721;
                                                         }
-                                                        let _e2126 = phi_2995_;
-                                                        phi_2996_ = _e2126;
+                                                        let _e1649 = phi_2995_;
+                                                        phi_2996_ = _e1649;
                                                     } else {
-                                                        phi_2996_ = _e1198;
+                                                        phi_2996_ = _e721;
                                                     }
-                                                    let _e2128 = phi_2996_;
-                                                    phi_2997_ = _e2128;
+                                                    let _e1651 = phi_2996_;
+                                                    phi_2997_ = _e1651;
                                                 } else {
-                                                    phi_2997_ = _e1198;
+                                                    phi_2997_ = _e721;
                                                 }
-                                                let _e2130 = phi_2997_;
-                                                phi_1301_ = _e2130;
+                                                let _e1653 = phi_2997_;
+                                                phi_1301_ = _e1653;
                                             } else {
                                                 phi_1301_ = type_33();
                                             }
-                                            let _e2132 = phi_1301_;
+                                            let _e1655 = phi_1301_;
                                             continue;
                                             continuing {
-                                                phi_1300_ = _e2132;
-                                                phi_1303_ = _e1213;
-                                                phi_4638_ = _e664;
-                                                break if !(_e1219);
+                                                phi_1300_ = _e1655;
+                                                phi_1303_ = _e736;
+                                                phi_4642_ = _e664;
+                                                break if !(_e742);
                                             }
                                         }
-                                        let _e2135 = phi_4638_;
-                                        phi_4845_ = _e2135;
-                                        if _e2135 {
+                                        let _e1658 = phi_4642_;
+                                        phi_4849_ = _e1658;
+                                        if _e1658 {
                                             break;
                                         }
-                                        phi_4849_ = _e2135;
-                                        let _e2462 = local_11;
-                                        phi_4268_ = _e2462;
-                                        phi_4269_ = false;
-                                        phi_4270_ = _e707;
-                                        phi_4271_ = _e709;
+                                        phi_4940_ = _e1658;
+                                        let _e2445 = local_11;
+                                        phi_2998_ = _e2445;
+                                    } else {
+                                        phi_4940_ = _e664;
+                                        phi_2998_ = _e666;
+                                    }
+                                    let _e1660 = phi_4940_;
+                                    let _e1662 = phi_2998_;
+                                    if _e713 {
+                                        phi_4263_ = bool();
+                                        phi_4264_ = u32();
+                                        phi_4265_ = type_49();
                                     } else {
                                         if (_e709.member_1 >= _e96) {
-                                            phi_3803_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3799_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e709.member_1 < _e96) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e721 = (_e267 * 2u);
-                                            let _e723 = ((1u + _e721) % 7u);
-                                            if (_e723 < 7u) {
+                                            let _e1665 = (_e267 * 2u);
+                                            let _e1667 = ((1u + _e1665) % 7u);
+                                            if (_e1667 < 7u) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e728 = global_4.member[_e709.member_1][_e723];
-                                            let _e730 = ((_e721 + 2u) % 7u);
-                                            if (_e730 < 7u) {
+                                            let _e1672 = global_4.member[_e709.member_1][_e1667];
+                                            let _e1674 = ((_e1665 + 2u) % 7u);
+                                            if (_e1674 < 7u) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e735 = global_4.member[_e709.member_1][_e730];
-                                            let _e736 = (_e266 * 2u);
-                                            let _e738 = ((1u + _e736) % 7u);
-                                            if (_e738 < 7u) {
+                                            let _e1679 = global_4.member[_e709.member_1][_e1674];
+                                            let _e1680 = (_e266 * 2u);
+                                            let _e1682 = ((1u + _e1680) % 7u);
+                                            if (_e1682 < 7u) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e743 = global_4.member[_e709.member_1][_e738];
-                                            let _e745 = ((_e736 + 2u) % 7u);
-                                            if (_e745 < 7u) {
+                                            let _e1687 = global_4.member[_e709.member_1][_e1682];
+                                            let _e1689 = ((_e1680 + 2u) % 7u);
+                                            if (_e1689 < 7u) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e750 = global_4.member[_e709.member_1][_e745];
-                                            let _e751 = (_e268 * 2u);
-                                            let _e753 = ((1u + _e751) % 7u);
-                                            if (_e753 < 7u) {
+                                            let _e1694 = global_4.member[_e709.member_1][_e1689];
+                                            let _e1695 = (_e268 * 2u);
+                                            let _e1697 = ((1u + _e1695) % 7u);
+                                            if (_e1697 < 7u) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e758 = global_4.member[_e709.member_1][_e753];
-                                            let _e760 = ((_e751 + 2u) % 7u);
-                                            if (_e760 < 7u) {
+                                            let _e1702 = global_4.member[_e709.member_1][_e1697];
+                                            let _e1704 = ((_e1695 + 2u) % 7u);
+                                            if (_e1704 < 7u) {
                                             } else {
-                                                phi_4845_ = true;
+                                                phi_4849_ = true;
                                                 break;
                                             }
-                                            let _e765 = global_4.member[_e709.member_1][_e760];
-                                            let _e788 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.x - _e709.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e789 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.y - _e709.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e790 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.z - _e709.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e792 = select(_e147, _e788, (_e788 > _e147));
-                                            let _e794 = select(_e147, _e789, (_e789 > _e147));
-                                            let _e796 = select(_e147, _e790, (_e790 > _e147));
-                                            let _e827 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e728 & 2097151u))) - 8388608f) * _e792));
-                                            let _e832 = (bitcast<i32>((_e728 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e835 = bitcast<f32>((_e827 & bitcast<u32>(_e832)));
-                                            let _e836 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e743 & 2097151u))) - 8388608f) * _e794));
-                                            let _e841 = (bitcast<i32>((_e743 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e844 = bitcast<f32>((_e836 & bitcast<u32>(_e841)));
-                                            let _e845 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e758 & 2097151u))) - 8388608f) * _e796));
-                                            let _e850 = (bitcast<i32>((_e758 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e853 = bitcast<f32>((_e845 & bitcast<u32>(_e850)));
-                                            let _e857 = bitcast<f32>((_e827 & bitcast<u32>(~(_e832))));
-                                            let _e861 = bitcast<f32>((_e836 & bitcast<u32>(~(_e841))));
-                                            let _e865 = bitcast<f32>((_e845 & bitcast<u32>(~(_e850))));
-                                            let _e866 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e735 & 2097151u))) - 8388608f) * _e792));
-                                            let _e871 = (bitcast<i32>((_e735 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e874 = bitcast<f32>((_e866 & bitcast<u32>(_e871)));
-                                            let _e875 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e750 & 2097151u))) - 8388608f) * _e794));
-                                            let _e880 = (bitcast<i32>((_e750 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e883 = bitcast<f32>((_e875 & bitcast<u32>(_e880)));
-                                            let _e884 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e765 & 2097151u))) - 8388608f) * _e796));
-                                            let _e889 = (bitcast<i32>((_e765 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e892 = bitcast<f32>((_e884 & bitcast<u32>(_e889)));
-                                            let _e896 = bitcast<f32>((_e866 & bitcast<u32>(~(_e871))));
-                                            let _e900 = bitcast<f32>((_e875 & bitcast<u32>(~(_e880))));
-                                            let _e904 = bitcast<f32>((_e884 & bitcast<u32>(~(_e889))));
-                                            let _e905 = (_e709.member.member.x + _e835);
-                                            let _e906 = (_e709.member.member.y + _e844);
-                                            let _e907 = (_e709.member.member.z + _e853);
-                                            let _e910 = (_e709.member.member_1.x - _e874);
-                                            let _e911 = (_e709.member.member_1.y - _e883);
-                                            let _e912 = (_e709.member.member_1.z - _e892);
-                                            let _e931 = (_e910 - _e905);
-                                            let _e932 = (_e911 - _e906);
-                                            let _e933 = (_e912 - _e907);
-                                            let _e935 = select(_e932, _e931, (_e931 > _e932));
-                                            let _e937 = select(_e933, _e935, (_e935 > _e933));
-                                            if (_e937 < (1024f * _e147)) {
-                                                phi_3504_ = 0u;
+                                            let _e1709 = global_4.member[_e709.member_1][_e1704];
+                                            let _e1732 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.x - _e709.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1733 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.y - _e709.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1734 = (bitcast<f32>((bitcast<u32>((_e709.member.member_1.z - _e709.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1736 = select(_e147, _e1732, (_e1732 > _e147));
+                                            let _e1738 = select(_e147, _e1733, (_e1733 > _e147));
+                                            let _e1740 = select(_e147, _e1734, (_e1734 > _e147));
+                                            let _e1771 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1672 & 2097151u))) - 8388608f) * _e1736));
+                                            let _e1776 = (bitcast<i32>((_e1672 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1779 = bitcast<f32>((_e1771 & bitcast<u32>(_e1776)));
+                                            let _e1780 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1687 & 2097151u))) - 8388608f) * _e1738));
+                                            let _e1785 = (bitcast<i32>((_e1687 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1788 = bitcast<f32>((_e1780 & bitcast<u32>(_e1785)));
+                                            let _e1789 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1702 & 2097151u))) - 8388608f) * _e1740));
+                                            let _e1794 = (bitcast<i32>((_e1702 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1797 = bitcast<f32>((_e1789 & bitcast<u32>(_e1794)));
+                                            let _e1801 = bitcast<f32>((_e1771 & bitcast<u32>(~(_e1776))));
+                                            let _e1805 = bitcast<f32>((_e1780 & bitcast<u32>(~(_e1785))));
+                                            let _e1809 = bitcast<f32>((_e1789 & bitcast<u32>(~(_e1794))));
+                                            let _e1810 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1679 & 2097151u))) - 8388608f) * _e1736));
+                                            let _e1815 = (bitcast<i32>((_e1679 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1818 = bitcast<f32>((_e1810 & bitcast<u32>(_e1815)));
+                                            let _e1819 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1694 & 2097151u))) - 8388608f) * _e1738));
+                                            let _e1824 = (bitcast<i32>((_e1694 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1827 = bitcast<f32>((_e1819 & bitcast<u32>(_e1824)));
+                                            let _e1828 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1709 & 2097151u))) - 8388608f) * _e1740));
+                                            let _e1833 = (bitcast<i32>((_e1709 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1836 = bitcast<f32>((_e1828 & bitcast<u32>(_e1833)));
+                                            let _e1840 = bitcast<f32>((_e1810 & bitcast<u32>(~(_e1815))));
+                                            let _e1844 = bitcast<f32>((_e1819 & bitcast<u32>(~(_e1824))));
+                                            let _e1848 = bitcast<f32>((_e1828 & bitcast<u32>(~(_e1833))));
+                                            let _e1849 = (_e709.member.member.x + _e1779);
+                                            let _e1850 = (_e709.member.member.y + _e1788);
+                                            let _e1851 = (_e709.member.member.z + _e1797);
+                                            let _e1854 = (_e709.member.member_1.x - _e1818);
+                                            let _e1855 = (_e709.member.member_1.y - _e1827);
+                                            let _e1856 = (_e709.member.member_1.z - _e1836);
+                                            let _e1875 = (_e1854 - _e1849);
+                                            let _e1876 = (_e1855 - _e1850);
+                                            let _e1877 = (_e1856 - _e1851);
+                                            let _e1879 = select(_e1876, _e1875, (_e1875 > _e1876));
+                                            let _e1881 = select(_e1877, _e1879, (_e1879 > _e1877));
+                                            if (_e1881 < (1024f * _e147)) {
+                                                phi_3500_ = 0u;
                                             } else {
-                                                phi_3504_ = select(2u, 1u, (_e937 < (2097152f * _e147)));
+                                                phi_3500_ = select(2u, 1u, (_e1881 < (2097152f * _e147)));
                                             }
-                                            let _e944 = phi_3504_;
-                                            switch bitcast<i32>(_e944) {
+                                            let _e1888 = phi_3500_;
+                                            switch bitcast<i32>(_e1888) {
                                                 case 0: {
-                                                    phi_3510_ = 1u;
+                                                    phi_3506_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3510_ = 2u;
+                                                    phi_3506_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3510_ = 3u;
+                                                    phi_3506_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3510_ = u32();
+                                                    phi_3506_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e947 = phi_3510_;
-                                            let _e953 = global_4.member[_e709.member_1][0u];
-                                            let _e957 = global_4.member[_e709.member_1][2u];
-                                            let _e961 = global_4.member[_e709.member_1][4u];
-                                            let _e965 = global_4.member[_e709.member_1][6u];
-                                            let _e977 = (((_e957 >> bitcast<u32>(22i)) | ((_e961 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e965 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e978 = (_e953 & 268435455u);
-                                            let _e979 = (_e977 & 268435455u);
-                                            let _e982 = ((_e953 >> bitcast<u32>(28u)) & 7u);
-                                            let _e990 = ((_e953 >> bitcast<u32>(31i)) | (((_e977 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e991 = (_e982 != 0u);
-                                            if (_e982 == 0u) {
-                                                phi_3765_ = _e978;
+                                            let _e1891 = phi_3506_;
+                                            let _e1897 = global_4.member[_e709.member_1][0u];
+                                            let _e1901 = global_4.member[_e709.member_1][2u];
+                                            let _e1905 = global_4.member[_e709.member_1][4u];
+                                            let _e1909 = global_4.member[_e709.member_1][6u];
+                                            let _e1921 = (((_e1901 >> bitcast<u32>(22i)) | ((_e1905 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1909 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1922 = (_e1897 & 268435455u);
+                                            let _e1923 = (_e1921 & 268435455u);
+                                            let _e1926 = ((_e1897 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1934 = ((_e1897 >> bitcast<u32>(31i)) | (((_e1921 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1935 = (_e1926 != 0u);
+                                            if (_e1926 == 0u) {
+                                                phi_3761_ = _e1922;
                                             } else {
-                                                if (_e982 == 7u) {
-                                                    phi_3764_ = 2147483648u;
+                                                if (_e1926 == 7u) {
+                                                    phi_3760_ = 2147483648u;
                                                 } else {
-                                                    phi_3764_ = ((2147483648u | (_e982 << bitcast<u32>(28u))) | (_e979 & 268435455u));
+                                                    phi_3760_ = ((2147483648u | (_e1926 << bitcast<u32>(28u))) | (_e1923 & 268435455u));
                                                 }
-                                                let _e1000 = phi_3764_;
-                                                phi_3765_ = _e1000;
+                                                let _e1944 = phi_3760_;
+                                                phi_3761_ = _e1944;
                                             }
-                                            let _e1002 = phi_3765_;
-                                            if _e991 {
-                                                let _e1003 = (_e982 != 7u);
-                                                if _e1003 {
-                                                    phi_3775_ = (_e979 + (_e982 * ((3u * _e947) + 1u)));
+                                            let _e1946 = phi_3761_;
+                                            if _e1935 {
+                                                let _e1947 = (_e1926 != 7u);
+                                                if _e1947 {
+                                                    phi_3771_ = (_e1923 + (_e1926 * ((3u * _e1891) + 1u)));
                                                 } else {
-                                                    phi_3775_ = u32();
+                                                    phi_3771_ = u32();
                                                 }
-                                                let _e1007 = phi_3775_;
-                                                phi_3777_ = _e1007;
-                                                phi_3778_ = select(true, false, _e1003);
+                                                let _e1951 = phi_3771_;
+                                                phi_3773_ = _e1951;
+                                                phi_3774_ = select(true, false, _e1947);
                                             } else {
-                                                phi_3777_ = u32();
-                                                phi_3778_ = true;
+                                                phi_3773_ = u32();
+                                                phi_3774_ = true;
                                             }
-                                            let _e1010 = phi_3777_;
-                                            let _e1012 = phi_3778_;
-                                            if (_e990 == 0u) {
-                                                phi_3799_ = (_e978 + select(0u, 1u, !(_e991)));
+                                            let _e1954 = phi_3773_;
+                                            let _e1956 = phi_3774_;
+                                            if (_e1934 == 0u) {
+                                                phi_3795_ = (_e1922 + select(0u, 1u, !(_e1935)));
                                             } else {
-                                                if (_e990 == 7u) {
-                                                    phi_3798_ = 2147483648u;
+                                                if (_e1934 == 7u) {
+                                                    phi_3794_ = 2147483648u;
                                                 } else {
-                                                    phi_3798_ = ((2147483648u | (_e990 << bitcast<u32>(28u))) | (select(_e1010, _e979, _e1012) & 268435455u));
+                                                    phi_3794_ = ((2147483648u | (_e1934 << bitcast<u32>(28u))) | (select(_e1954, _e1923, _e1956) & 268435455u));
                                                 }
-                                                let _e1025 = phi_3798_;
-                                                phi_3799_ = _e1025;
+                                                let _e1969 = phi_3794_;
+                                                phi_3795_ = _e1969;
                                             }
-                                            let _e1027 = phi_3799_;
-                                            phi_3803_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e905, (_e709.member.member.x + _e857), _e910, (_e709.member.member_1.x - _e896)), vec4<f32>(_e906, (_e709.member.member.y + _e861), _e911, (_e709.member.member_1.y - _e900)), vec4<f32>(_e907, (_e709.member.member.z + _e865), _e912, (_e709.member.member_1.z - _e904))), type_49(type_28((_e709.member.member + vec4<f32>(_e835, _e844, _e853, 0f)), (_e709.member.member_1 - vec4<f32>(_e874, _e883, _e892, 0f))), _e1002), type_49(type_28((_e709.member.member + vec4<f32>(_e857, _e861, _e865, 0f)), (_e709.member.member_1 - vec4<f32>(_e896, _e900, _e904, 0f))), _e1027));
+                                            let _e1971 = phi_3795_;
+                                            phi_3799_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e1849, (_e709.member.member.x + _e1801), _e1854, (_e709.member.member_1.x - _e1840)), vec4<f32>(_e1850, (_e709.member.member.y + _e1805), _e1855, (_e709.member.member_1.y - _e1844)), vec4<f32>(_e1851, (_e709.member.member.z + _e1809), _e1856, (_e709.member.member_1.z - _e1848))), type_49(type_28((_e709.member.member + vec4<f32>(_e1779, _e1788, _e1797, 0f)), (_e709.member.member_1 - vec4<f32>(_e1818, _e1827, _e1836, 0f))), _e1946), type_49(type_28((_e709.member.member + vec4<f32>(_e1801, _e1805, _e1809, 0f)), (_e709.member.member_1 - vec4<f32>(_e1840, _e1844, _e1848, 0f))), _e1971));
                                         }
-                                        let _e1032 = phi_3803_;
-                                        let _e1044 = ((_e1032.member[0].x - _e369) * _e374);
-                                        let _e1045 = ((_e1032.member[0].y - _e369) * _e374);
-                                        let _e1046 = ((_e1032.member[0].z - _e370) * _e374);
-                                        let _e1047 = ((_e1032.member[0].w - _e370) * _e374);
-                                        let _e1057 = ((_e1032.member[1].x - _e437) * _e442);
-                                        let _e1058 = ((_e1032.member[1].y - _e437) * _e442);
-                                        let _e1059 = ((_e1032.member[1].z - _e438) * _e442);
-                                        let _e1060 = ((_e1032.member[1].w - _e438) * _e442);
-                                        let _e1070 = ((_e1032.member[2].x - _e505) * _e510);
-                                        let _e1071 = ((_e1032.member[2].y - _e505) * _e510);
-                                        let _e1072 = ((_e1032.member[2].z - _e506) * _e510);
-                                        let _e1073 = ((_e1032.member[2].w - _e506) * _e510);
-                                        let _e1075 = select(_e1072, _e1070, (_e1070 < _e1072));
-                                        let _e1077 = select(_e1073, _e1071, (_e1071 < _e1073));
-                                        let _e1079 = select(_e1072, _e1070, (_e1070 > _e1072));
-                                        let _e1081 = select(_e1073, _e1071, (_e1071 > _e1073));
-                                        let _e1083 = select(_e1046, _e1044, (_e1044 < _e1046));
-                                        let _e1085 = select(_e1047, _e1045, (_e1045 < _e1047));
-                                        let _e1087 = select(_e1059, _e1057, (_e1057 < _e1059));
-                                        let _e1089 = select(_e1060, _e1058, (_e1058 < _e1060));
-                                        let _e1091 = select(_e1087, _e1083, (_e1083 > _e1087));
-                                        let _e1093 = select(_e1089, _e1085, (_e1085 > _e1089));
-                                        let _e1095 = select(_e1075, _e1091, (_e1091 > _e1075));
-                                        let _e1097 = select(_e1077, _e1093, (_e1093 > _e1077));
-                                        let _e1099 = select(_e1046, _e1044, (_e1044 > _e1046));
-                                        let _e1101 = select(_e1047, _e1045, (_e1045 > _e1047));
-                                        let _e1103 = select(_e1059, _e1057, (_e1057 > _e1059));
-                                        let _e1105 = select(_e1060, _e1058, (_e1058 > _e1060));
-                                        let _e1107 = select(_e1103, _e1099, (_e1099 < _e1103));
-                                        let _e1109 = select(_e1105, _e1101, (_e1101 < _e1105));
-                                        let _e1114 = -(_e1075);
-                                        let _e1115 = -(_e1077);
-                                        let _e1122 = (select(_e1079, _e1107, (_e1107 < _e1079)) + (select(_e1114, _e1079, (_e1079 > _e1114)) * 0.0000019073523f));
-                                        let _e1123 = (select(_e1081, _e1109, (_e1109 < _e1081)) + (select(_e1115, _e1081, (_e1081 > _e1115)) * 0.0000019073523f));
-                                        let _e1125 = select(_e622, _e1095, (_e1095 > _e622));
-                                        let _e1127 = select(_e622, _e1097, (_e1097 > _e622));
-                                        let _e1132 = (_e1125 <= select(_e666.member_1, _e1122, (_e1122 < _e666.member_1)));
-                                        let _e1133 = (_e1127 <= select(_e666.member_1, _e1123, (_e1123 < _e666.member_1)));
-                                        let _e1134 = (_e1125 <= _e1127);
-                                        if _e1132 {
-                                            if _e1133 {
-                                                if _e1134 {
-                                                    phi_4165_ = _e1032.member_2;
+                                        let _e1976 = phi_3799_;
+                                        let _e1988 = ((_e1976.member[0].x - _e369) * _e374);
+                                        let _e1989 = ((_e1976.member[0].y - _e369) * _e374);
+                                        let _e1990 = ((_e1976.member[0].z - _e370) * _e374);
+                                        let _e1991 = ((_e1976.member[0].w - _e370) * _e374);
+                                        let _e2001 = ((_e1976.member[1].x - _e437) * _e442);
+                                        let _e2002 = ((_e1976.member[1].y - _e437) * _e442);
+                                        let _e2003 = ((_e1976.member[1].z - _e438) * _e442);
+                                        let _e2004 = ((_e1976.member[1].w - _e438) * _e442);
+                                        let _e2014 = ((_e1976.member[2].x - _e505) * _e510);
+                                        let _e2015 = ((_e1976.member[2].y - _e505) * _e510);
+                                        let _e2016 = ((_e1976.member[2].z - _e506) * _e510);
+                                        let _e2017 = ((_e1976.member[2].w - _e506) * _e510);
+                                        let _e2019 = select(_e2016, _e2014, (_e2014 < _e2016));
+                                        let _e2021 = select(_e2017, _e2015, (_e2015 < _e2017));
+                                        let _e2023 = select(_e2016, _e2014, (_e2014 > _e2016));
+                                        let _e2025 = select(_e2017, _e2015, (_e2015 > _e2017));
+                                        let _e2027 = select(_e1990, _e1988, (_e1988 < _e1990));
+                                        let _e2029 = select(_e1991, _e1989, (_e1989 < _e1991));
+                                        let _e2031 = select(_e2003, _e2001, (_e2001 < _e2003));
+                                        let _e2033 = select(_e2004, _e2002, (_e2002 < _e2004));
+                                        let _e2035 = select(_e2031, _e2027, (_e2027 > _e2031));
+                                        let _e2037 = select(_e2033, _e2029, (_e2029 > _e2033));
+                                        let _e2039 = select(_e2019, _e2035, (_e2035 > _e2019));
+                                        let _e2041 = select(_e2021, _e2037, (_e2037 > _e2021));
+                                        let _e2043 = select(_e1990, _e1988, (_e1988 > _e1990));
+                                        let _e2045 = select(_e1991, _e1989, (_e1989 > _e1991));
+                                        let _e2047 = select(_e2003, _e2001, (_e2001 > _e2003));
+                                        let _e2049 = select(_e2004, _e2002, (_e2002 > _e2004));
+                                        let _e2051 = select(_e2047, _e2043, (_e2043 < _e2047));
+                                        let _e2053 = select(_e2049, _e2045, (_e2045 < _e2049));
+                                        let _e2058 = -(_e2019);
+                                        let _e2059 = -(_e2021);
+                                        let _e2066 = (select(_e2023, _e2051, (_e2051 < _e2023)) + (select(_e2058, _e2023, (_e2023 > _e2058)) * 0.0000019073523f));
+                                        let _e2067 = (select(_e2025, _e2053, (_e2053 < _e2025)) + (select(_e2059, _e2025, (_e2025 > _e2059)) * 0.0000019073523f));
+                                        let _e2069 = select(_e622, _e2039, (_e2039 > _e622));
+                                        let _e2071 = select(_e622, _e2041, (_e2041 > _e622));
+                                        let _e2076 = (_e2069 <= select(_e1662.member_1, _e2066, (_e2066 < _e1662.member_1)));
+                                        let _e2077 = (_e2071 <= select(_e1662.member_1, _e2067, (_e2067 < _e1662.member_1)));
+                                        let _e2078 = (_e2069 <= _e2071);
+                                        if _e2076 {
+                                            if _e2077 {
+                                                if _e2078 {
+                                                    phi_4161_ = _e1976.member_2;
                                                 } else {
-                                                    phi_4165_ = _e1032.member_1;
+                                                    phi_4161_ = _e1976.member_1;
                                                 }
-                                                let _e1138 = phi_4165_;
-                                                let _e1160 = (_e707 % 128u);
-                                                let _e1161 = (_e1160 < 128u);
-                                                if _e1161 {
+                                                let _e2082 = phi_4161_;
+                                                let _e2103 = (_e707 % 128u);
+                                                let _e2104 = (_e2103 < 128u);
+                                                if _e2104 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1160] = _e1138.member_1;
-                                                if _e1161 {
+                                                local_8[_e2103] = _e2082.member_1;
+                                                if _e2104 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1160] = _e1138.member.member.x;
-                                                if _e1161 {
+                                                local_7[_e2103] = _e2082.member.member.x;
+                                                if _e2104 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1160] = _e1138.member.member.y;
-                                                if _e1161 {
+                                                local_6[_e2103] = _e2082.member.member.y;
+                                                if _e2104 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1160] = _e1138.member.member.z;
-                                                if _e1161 {
+                                                local_5[_e2103] = _e2082.member.member.z;
+                                                if _e2104 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1160] = _e1138.member.member_1.x;
-                                                if _e1161 {
+                                                local_4[_e2103] = _e2082.member.member_1.x;
+                                                if _e2104 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1160] = _e1138.member.member_1.y;
-                                                if _e1161 {
+                                                local_3[_e2103] = _e2082.member.member_1.y;
+                                                if _e2104 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1160] = _e1138.member.member_1.z;
-                                                if _e1161 {
+                                                local_2[_e2103] = _e2082.member.member_1.z;
+                                                if _e2104 {
                                                 } else {
-                                                    phi_4845_ = true;
+                                                    phi_4849_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1160] = select(_e1127, _e1125, !(_e1134));
-                                                if _e1134 {
-                                                    phi_4242_ = _e1032.member_1;
+                                                local_9[_e2103] = select(_e2069, _e2071, _e2078);
+                                                if _e2078 {
+                                                    phi_4237_ = _e1976.member_1;
                                                 } else {
-                                                    phi_4242_ = _e1032.member_2;
+                                                    phi_4237_ = _e1976.member_2;
                                                 }
-                                                let _e1174 = phi_4242_;
-                                                phi_4243_ = (_e707 + 1u);
-                                                phi_4244_ = _e1174;
+                                                let _e2117 = phi_4237_;
+                                                phi_4238_ = (_e707 + 1u);
+                                                phi_4239_ = _e2117;
                                             } else {
-                                                phi_4243_ = u32();
-                                                phi_4244_ = type_49();
+                                                phi_4238_ = u32();
+                                                phi_4239_ = type_49();
                                             }
-                                            let _e1176 = phi_4243_;
-                                            let _e1178 = phi_4244_;
-                                            phi_4246_ = _e1176;
-                                            phi_4247_ = _e1178;
-                                            phi_4248_ = select(true, false, _e1133);
+                                            let _e2119 = phi_4238_;
+                                            let _e2121 = phi_4239_;
+                                            phi_4241_ = _e2119;
+                                            phi_4242_ = _e2121;
+                                            phi_4243_ = select(true, false, _e2077);
                                         } else {
-                                            phi_4246_ = u32();
-                                            phi_4247_ = type_49();
-                                            phi_4248_ = true;
+                                            phi_4241_ = u32();
+                                            phi_4242_ = type_49();
+                                            phi_4243_ = true;
                                         }
-                                        let _e1181 = phi_4246_;
-                                        let _e1183 = phi_4247_;
-                                        let _e1185 = phi_4248_;
-                                        if _e1185 {
-                                            if _e1132 {
-                                                phi_4257_ = _e1032.member_1;
+                                        let _e2124 = phi_4241_;
+                                        let _e2126 = phi_4242_;
+                                        let _e2128 = phi_4243_;
+                                        if _e2128 {
+                                            if _e2076 {
+                                                phi_4252_ = _e1976.member_1;
                                             } else {
-                                                phi_4257_ = _e1032.member_2;
+                                                phi_4252_ = _e1976.member_2;
                                             }
-                                            let _e1189 = phi_4257_;
-                                            phi_4262_ = select(_e1133, true, _e1132);
-                                            phi_4264_ = _e1189;
+                                            let _e2132 = phi_4252_;
+                                            phi_4257_ = select(_e2077, true, _e2076);
+                                            phi_4259_ = _e2132;
                                         } else {
-                                            phi_4262_ = _e705;
-                                            phi_4264_ = _e1183;
+                                            phi_4257_ = _e705;
+                                            phi_4259_ = _e2126;
                                         }
-                                        let _e1192 = phi_4262_;
-                                        let _e1194 = phi_4264_;
-                                        phi_4849_ = _e664;
-                                        phi_4268_ = _e666;
-                                        phi_4269_ = _e1192;
-                                        phi_4270_ = select(_e1181, _e707, _e1185);
-                                        phi_4271_ = _e1194;
+                                        let _e2135 = phi_4257_;
+                                        let _e2137 = phi_4259_;
+                                        phi_4263_ = _e2135;
+                                        phi_4264_ = select(_e2124, _e707, _e2128);
+                                        phi_4265_ = _e2137;
                                     }
-                                    let _e2137 = phi_4849_;
-                                    let _e2139 = phi_4268_;
-                                    let _e2141 = phi_4269_;
-                                    let _e2143 = phi_4270_;
-                                    let _e2145 = phi_4271_;
-                                    phi_4848_ = _e2137;
-                                    phi_4272_ = _e2139;
-                                    phi_4273_ = _e2141;
-                                    phi_4274_ = (_e670 - 1u);
-                                    phi_4275_ = _e2143;
-                                    phi_4276_ = _e2145;
+                                    let _e2140 = phi_4263_;
+                                    let _e2142 = phi_4264_;
+                                    let _e2144 = phi_4265_;
+                                    if _e713 {
+                                        phi_4275_ = _e709;
+                                    } else {
+                                        phi_4275_ = _e2144;
+                                    }
+                                    let _e2146 = phi_4275_;
+                                    phi_4852_ = _e1660;
+                                    phi_4276_ = _e1662;
+                                    phi_4277_ = (_e668 - 1u);
+                                    phi_4278_ = select(_e2140, false, _e713);
+                                    phi_4279_ = select(_e2142, _e707, _e713);
+                                    phi_4280_ = _e2146;
                                 } else {
-                                    phi_4848_ = _e664;
-                                    phi_4272_ = _e666;
-                                    phi_4273_ = _e705;
-                                    phi_4274_ = _e670;
-                                    phi_4275_ = _e707;
-                                    phi_4276_ = _e709;
+                                    phi_4852_ = _e664;
+                                    phi_4276_ = _e666;
+                                    phi_4277_ = _e668;
+                                    phi_4278_ = _e705;
+                                    phi_4279_ = _e707;
+                                    phi_4280_ = _e709;
                                 }
-                                let _e2147 = phi_4848_;
-                                let _e2149 = phi_4272_;
-                                let _e2151 = phi_4273_;
-                                let _e2153 = phi_4274_;
-                                let _e2155 = phi_4275_;
-                                let _e2157 = phi_4276_;
-                                phi_4847_ = _e2147;
-                                phi_4277_ = _e2149;
-                                phi_4278_ = _e2151;
-                                phi_4279_ = _e2153;
-                                phi_4280_ = _e2155;
-                                phi_4281_ = _e2157;
+                                let _e2150 = phi_4852_;
+                                let _e2152 = phi_4276_;
+                                let _e2154 = phi_4277_;
+                                let _e2156 = phi_4278_;
+                                let _e2158 = phi_4279_;
+                                let _e2160 = phi_4280_;
+                                phi_4851_ = _e2150;
+                                phi_4281_ = _e2152;
+                                phi_4282_ = _e2154;
+                                phi_4283_ = _e2156;
+                                phi_4284_ = _e2158;
+                                phi_4285_ = _e2160;
                             } else {
-                                phi_4847_ = _e664;
-                                phi_4277_ = type_33();
-                                phi_4278_ = bool();
-                                phi_4279_ = u32();
-                                phi_4280_ = u32();
-                                phi_4281_ = type_49();
+                                phi_4851_ = _e664;
+                                phi_4281_ = type_33();
+                                phi_4282_ = u32();
+                                phi_4283_ = bool();
+                                phi_4284_ = u32();
+                                phi_4285_ = type_49();
                             }
-                            let _e2159 = phi_4847_;
-                            let _e2161 = phi_4277_;
-                            let _e2163 = phi_4278_;
-                            let _e2165 = phi_4279_;
-                            let _e2167 = phi_4280_;
-                            let _e2169 = phi_4281_;
-                            phi_4846_ = _e2159;
-                            phi_1174_ = _e2161;
-                            phi_1177_ = _e2163;
-                            phi_1179_ = _e2165;
-                            phi_1181_ = _e2167;
-                            phi_1183_ = _e2169;
-                            phi_4282_ = _e678;
+                            let _e2162 = phi_4851_;
+                            let _e2164 = phi_4281_;
+                            let _e2166 = phi_4282_;
+                            let _e2168 = phi_4283_;
+                            let _e2170 = phi_4284_;
+                            let _e2172 = phi_4285_;
+                            phi_4850_ = _e2162;
+                            phi_1174_ = _e2164;
+                            phi_1177_ = _e2166;
+                            phi_1179_ = _e2168;
+                            phi_1181_ = _e2170;
+                            phi_1183_ = _e2172;
+                            phi_4286_ = _e678;
                         } else {
-                            phi_4846_ = _e664;
+                            phi_4850_ = _e664;
                             phi_1174_ = type_33();
-                            phi_1177_ = bool();
-                            phi_1179_ = u32();
+                            phi_1177_ = u32();
+                            phi_1179_ = bool();
                             phi_1181_ = u32();
                             phi_1183_ = type_49();
-                            phi_4282_ = false;
+                            phi_4286_ = false;
                         }
-                        let _e2171 = phi_4846_;
-                        let _e2173 = phi_1174_;
-                        let _e2175 = phi_1177_;
-                        let _e2177 = phi_1179_;
-                        let _e2179 = phi_1181_;
-                        let _e2181 = phi_1183_;
-                        let _e2183 = phi_4282_;
+                        let _e2174 = phi_4850_;
+                        let _e2176 = phi_1174_;
+                        let _e2178 = phi_1177_;
+                        let _e2180 = phi_1179_;
+                        let _e2182 = phi_1181_;
+                        let _e2184 = phi_1183_;
+                        let _e2186 = phi_4286_;
                         continue;
                         continuing {
-                            phi_4644_ = _e2171;
-                            phi_1173_ = _e2173;
-                            phi_1176_ = _e2175;
-                            phi_1178_ = _e2177;
-                            phi_1180_ = _e2179;
-                            phi_1182_ = _e2181;
-                            phi_4845_ = _e2171;
-                            break if !(_e2183);
+                            phi_4648_ = _e2174;
+                            phi_1173_ = _e2176;
+                            phi_1176_ = _e2178;
+                            phi_1178_ = _e2180;
+                            phi_1180_ = _e2182;
+                            phi_1182_ = _e2184;
+                            phi_4849_ = _e2174;
+                            break if !(_e2186);
                         }
                     }
-                    let _e2186 = phi_4845_;
-                    if _e2186 {
+                    let _e2189 = phi_4849_;
+                    if _e2189 {
                         break;
                     }
-                    let _e2188 = local_10;
-                    if (_e2188.member.member_3 != 4294967295u) {
-                        let _e2193 = -(_e524);
-                        let _e2194 = bitcast<u32>(_e2188.member.member);
-                        let _e2198 = (bitcast<i32>((_e2194 >> bitcast<u32>(23i))) & 255i);
-                        let _e2199 = (_e2198 + _e2193);
-                        if (_e2198 == 255i) {
-                            phi_4341_ = _e2188.member.member;
+                    let _e2191 = local_10;
+                    if (_e2191.member.member_3 != 4294967295u) {
+                        let _e2196 = -(_e524);
+                        let _e2197 = bitcast<u32>(_e2191.member.member);
+                        let _e2201 = (bitcast<i32>((_e2197 >> bitcast<u32>(23i))) & 255i);
+                        let _e2202 = (_e2201 + _e2196);
+                        if (_e2201 == 255i) {
+                            phi_4345_ = _e2191.member.member;
                         } else {
-                            if (_e2198 > 0i) {
-                                if (_e2199 > 0i) {
-                                    let _e2203 = (_e2199 < 255i);
-                                    if _e2203 {
-                                        phi_4320_ = bitcast<f32>((_e2194 + bitcast<u32>((_e2193 << bitcast<u32>(23i)))));
+                            if (_e2201 > 0i) {
+                                if (_e2202 > 0i) {
+                                    let _e2206 = (_e2202 < 255i);
+                                    if _e2206 {
+                                        phi_4324_ = bitcast<f32>((_e2197 + bitcast<u32>((_e2196 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4320_ = f32();
+                                        phi_4324_ = f32();
                                     }
-                                    let _e2210 = phi_4320_;
-                                    phi_4322_ = _e2210;
-                                    phi_4323_ = select(true, false, _e2203);
+                                    let _e2213 = phi_4324_;
+                                    phi_4326_ = _e2213;
+                                    phi_4327_ = select(true, false, _e2206);
                                 } else {
-                                    phi_4322_ = f32();
-                                    phi_4323_ = true;
+                                    phi_4326_ = f32();
+                                    phi_4327_ = true;
                                 }
-                                let _e2213 = phi_4322_;
-                                let _e2215 = phi_4323_;
-                                phi_4324_ = _e2213;
-                                phi_4325_ = _e2215;
+                                let _e2216 = phi_4326_;
+                                let _e2218 = phi_4327_;
+                                phi_4328_ = _e2216;
+                                phi_4329_ = _e2218;
                             } else {
-                                phi_4324_ = f32();
-                                phi_4325_ = true;
+                                phi_4328_ = f32();
+                                phi_4329_ = true;
                             }
-                            let _e2217 = phi_4324_;
-                            let _e2219 = phi_4325_;
-                            if _e2219 {
-                                let _e2220 = (_e2194 & 2147483648u);
-                                let _e2227 = ((_e2194 & 8388607u) | (select(0u, 1u, ((_e2194 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2231 = (_e2227 == 0u);
-                                if _e2231 {
-                                    phi_4596_ = bitcast<f32>(_e2220);
+                            let _e2220 = phi_4328_;
+                            let _e2222 = phi_4329_;
+                            if _e2222 {
+                                let _e2223 = (_e2197 & 2147483648u);
+                                let _e2230 = ((_e2197 & 8388607u) | (select(0u, 1u, ((_e2197 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2234 = (_e2230 == 0u);
+                                if _e2234 {
+                                    phi_4600_ = bitcast<f32>(_e2223);
                                 } else {
-                                    let _e2236 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2227)), 32u, _e2231) - 8u);
-                                    let _e2239 = (_e2227 << bitcast<u32>((_e2236 & 31u)));
-                                    let _e2241 = ((_e2199 + select(0i, 1i, (_e2198 == 0i))) - bitcast<i32>(_e2236));
-                                    if (_e2241 >= 255i) {
-                                        phi_4586_ = bitcast<f32>((_e2220 | 2139095040u));
-                                        phi_4587_ = f32();
-                                        phi_4588_ = true;
+                                    let _e2239 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2230)), 32u, _e2234) - 8u);
+                                    let _e2242 = (_e2230 << bitcast<u32>((_e2239 & 31u)));
+                                    let _e2244 = ((_e2202 + select(0i, 1i, (_e2201 == 0i))) - bitcast<i32>(_e2239));
+                                    if (_e2244 >= 255i) {
+                                        phi_4590_ = bitcast<f32>((_e2223 | 2139095040u));
+                                        phi_4591_ = f32();
+                                        phi_4592_ = true;
                                     } else {
-                                        let _e2243 = (_e2241 > 0i);
-                                        if _e2243 {
-                                            phi_4580_ = bitcast<f32>(((_e2220 | (bitcast<u32>(_e2241) << bitcast<u32>(23i))) | (_e2239 & 8388607u)));
-                                            phi_4581_ = f32();
+                                        let _e2246 = (_e2244 > 0i);
+                                        if _e2246 {
+                                            phi_4584_ = bitcast<f32>(((_e2223 | (bitcast<u32>(_e2244) << bitcast<u32>(23i))) | (_e2242 & 8388607u)));
+                                            phi_4585_ = f32();
                                         } else {
-                                            if (_e2241 < -24i) {
-                                                phi_4546_ = 26u;
+                                            if (_e2244 < -24i) {
+                                                phi_4550_ = 26u;
                                             } else {
-                                                phi_4546_ = bitcast<u32>((1i - _e2241));
+                                                phi_4550_ = bitcast<u32>((1i - _e2244));
                                             }
-                                            let _e2248 = phi_4546_;
-                                            let _e2249 = (_e2248 & 31u);
-                                            let _e2251 = (_e2239 >> bitcast<u32>(_e2249));
-                                            let _e2255 = (_e2239 & ((1u << bitcast<u32>(_e2249)) - 1u));
-                                            let _e2259 = (1u << bitcast<u32>(((_e2248 - 1u) & 31u)));
-                                            if (_e2255 > _e2259) {
-                                                phi_4567_ = true;
+                                            let _e2251 = phi_4550_;
+                                            let _e2252 = (_e2251 & 31u);
+                                            let _e2254 = (_e2242 >> bitcast<u32>(_e2252));
+                                            let _e2258 = (_e2242 & ((1u << bitcast<u32>(_e2252)) - 1u));
+                                            let _e2262 = (1u << bitcast<u32>(((_e2251 - 1u) & 31u)));
+                                            if (_e2258 > _e2262) {
+                                                phi_4571_ = true;
                                             } else {
-                                                if (_e2255 == _e2259) {
-                                                    phi_4564_ = ((_e2251 & 1u) == 1u);
+                                                if (_e2258 == _e2262) {
+                                                    phi_4568_ = ((_e2254 & 1u) == 1u);
                                                 } else {
-                                                    phi_4564_ = false;
+                                                    phi_4568_ = false;
                                                 }
-                                                let _e2265 = phi_4564_;
-                                                phi_4567_ = _e2265;
+                                                let _e2268 = phi_4568_;
+                                                phi_4571_ = _e2268;
                                             }
-                                            let _e2267 = phi_4567_;
-                                            phi_4580_ = f32();
-                                            phi_4581_ = bitcast<f32>((_e2220 | (_e2251 + select(0u, 1u, _e2267))));
+                                            let _e2270 = phi_4571_;
+                                            phi_4584_ = f32();
+                                            phi_4585_ = bitcast<f32>((_e2223 | (_e2254 + select(0u, 1u, _e2270))));
                                         }
-                                        let _e2280 = phi_4580_;
-                                        let _e2282 = phi_4581_;
-                                        phi_4586_ = _e2280;
-                                        phi_4587_ = _e2282;
-                                        phi_4588_ = _e2243;
+                                        let _e2283 = phi_4584_;
+                                        let _e2285 = phi_4585_;
+                                        phi_4590_ = _e2283;
+                                        phi_4591_ = _e2285;
+                                        phi_4592_ = _e2246;
                                     }
-                                    let _e2286 = phi_4586_;
-                                    let _e2288 = phi_4587_;
-                                    let _e2290 = phi_4588_;
-                                    phi_4596_ = select(_e2288, _e2286, _e2290);
+                                    let _e2289 = phi_4590_;
+                                    let _e2291 = phi_4591_;
+                                    let _e2293 = phi_4592_;
+                                    phi_4600_ = select(_e2291, _e2289, _e2293);
                                 }
-                                let _e2294 = phi_4596_;
-                                phi_4340_ = _e2294;
+                                let _e2297 = phi_4600_;
+                                phi_4344_ = _e2297;
                             } else {
-                                phi_4340_ = _e2217;
+                                phi_4344_ = _e2220;
                             }
-                            let _e2296 = phi_4340_;
-                            phi_4341_ = _e2296;
+                            let _e2299 = phi_4344_;
+                            phi_4345_ = _e2299;
                         }
-                        let _e2298 = phi_4341_;
-                        let _e2299 = bitcast<u32>(_e2298);
-                        if ((_e2299 & 2147483647u) >= 2139095040u) {
-                            phi_4353_ = bitcast<f32>(((_e2299 & 2147483648u) | 2139095039u));
+                        let _e2301 = phi_4345_;
+                        let _e2302 = bitcast<u32>(_e2301);
+                        if ((_e2302 & 2147483647u) >= 2139095040u) {
+                            phi_4357_ = bitcast<f32>(((_e2302 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4353_ = _e2298;
+                            phi_4357_ = _e2301;
                         }
-                        let _e2306 = phi_4353_;
-                        phi_4358_ = type_20(_e2306, _e2188.member.member_1, _e2188.member.member_2, _e2188.member.member_3);
+                        let _e2309 = phi_4357_;
+                        phi_4362_ = type_20(_e2309, _e2191.member.member_1, _e2191.member.member_2, _e2191.member.member_3);
                     } else {
-                        phi_4358_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4362_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2311 = phi_4358_;
+                    let _e2314 = phi_4362_;
                     if _e155 {
                     } else {
                         break;
                     }
-                    global_6.member[_e153] = _e2311;
+                    global_6.member[_e153] = _e2314;
                 }
             }
             break;

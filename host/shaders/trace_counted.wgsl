@@ -117,27 +117,16 @@ fn function_() {
     var phi_868_: u32;
     var phi_876_: f32;
     var phi_877_: f32;
-    var phi_2577_: bool;
+    var phi_2583_: bool;
     var phi_893_: type_48;
-    var phi_896_: bool;
-    var phi_898_: u32;
+    var phi_896_: u32;
+    var phi_898_: bool;
     var phi_900_: u32;
     var phi_902_: u32;
     var phi_913_: bool;
     var phi_945_: bool;
     var phi_946_: u32;
     var phi_947_: u32;
-    var phi_2108_: type_44;
-    var phi_2473_: u32;
-    var phi_2501_: u32;
-    var phi_2502_: u32;
-    var phi_2503_: u32;
-    var phi_2505_: u32;
-    var phi_2506_: u32;
-    var phi_2507_: bool;
-    var phi_2516_: u32;
-    var phi_2521_: bool;
-    var phi_2523_: u32;
     var phi_962_: type_48;
     var phi_965_: type_4;
     var phi_966_: type_4;
@@ -185,32 +174,45 @@ fn function_() {
     var phi_2037_: type_48;
     var phi_2038_: type_48;
     var phi_963_: type_48;
-    var phi_2571_: bool;
-    var phi_2735_: bool;
-    var phi_2528_: type_48;
-    var phi_2529_: bool;
-    var phi_2530_: u32;
-    var phi_2531_: u32;
-    var phi_2734_: bool;
-    var phi_2532_: type_48;
-    var phi_2533_: bool;
-    var phi_2534_: u32;
-    var phi_2535_: u32;
-    var phi_2536_: u32;
-    var phi_2733_: bool;
-    var phi_2537_: type_48;
-    var phi_2538_: bool;
+    var phi_2577_: bool;
+    var phi_2772_: bool;
+    var phi_2039_: type_48;
+    var phi_2104_: type_44;
+    var phi_2469_: u32;
+    var phi_2496_: u32;
+    var phi_2497_: u32;
+    var phi_2498_: u32;
+    var phi_2500_: u32;
+    var phi_2501_: u32;
+    var phi_2502_: bool;
+    var phi_2511_: u32;
+    var phi_2516_: bool;
+    var phi_2518_: u32;
+    var phi_2523_: type_48;
+    var phi_2524_: bool;
+    var phi_2525_: u32;
+    var phi_2526_: u32;
+    var phi_2534_: type_48;
+    var phi_2740_: bool;
+    var phi_2538_: type_48;
     var phi_2539_: u32;
-    var phi_2540_: u32;
+    var phi_2540_: bool;
     var phi_2541_: u32;
-    var phi_2732_: bool;
+    var phi_2542_: u32;
+    var phi_2739_: bool;
+    var phi_2543_: type_48;
+    var phi_2544_: u32;
+    var phi_2545_: bool;
+    var phi_2546_: u32;
+    var phi_2547_: u32;
+    var phi_2738_: bool;
     var phi_894_: type_48;
-    var phi_897_: bool;
-    var phi_899_: u32;
+    var phi_897_: u32;
+    var phi_899_: bool;
     var phi_901_: u32;
     var phi_903_: u32;
-    var phi_2542_: bool;
-    var phi_2731_: bool;
+    var phi_2548_: bool;
+    var phi_2737_: bool;
     var local_2: type_48;
     var local_3: type_48;
     var local_4: type_48;
@@ -525,14 +527,14 @@ fn function_() {
                     let _e554 = phi_877_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2577_ = false;
+                    phi_2583_ = false;
                     phi_893_ = type_48(type_40(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e552), 0u, 0u);
-                    phi_896_ = (_e554 <= _e552);
-                    phi_898_ = ((3u * _e71) + 1u);
+                    phi_896_ = ((3u * _e71) + 1u);
+                    phi_898_ = (_e554 <= _e552);
                     phi_900_ = 0u;
                     phi_902_ = select(0u, 2147483648u, (_e71 == 0u));
                     loop {
-                        let _e563 = phi_2577_;
+                        let _e563 = phi_2583_;
                         let _e565 = phi_893_;
                         let _e567 = phi_896_;
                         let _e569 = phi_898_;
@@ -540,17 +542,17 @@ fn function_() {
                         let _e573 = phi_902_;
                         local_2 = _e565;
                         local_3 = _e565;
-                        if _e567 {
+                        if _e569 {
                             phi_913_ = true;
                         } else {
                             phi_913_ = (_e571 > 0u);
                         }
                         let _e576 = phi_913_;
                         if _e576 {
-                            let _e577 = (_e569 > 0u);
+                            let _e577 = (_e567 > 0u);
                             if _e577 {
-                                if _e567 {
-                                    phi_945_ = _e567;
+                                if _e569 {
+                                    phi_945_ = _e569;
                                     phi_946_ = _e571;
                                     phi_947_ = _e573;
                                 } else {
@@ -559,13 +561,13 @@ fn function_() {
                                     let _e580 = (_e579 < 128u);
                                     if _e580 {
                                     } else {
-                                        phi_2731_ = true;
+                                        phi_2737_ = true;
                                         break;
                                     }
                                     let _e582 = local_1[_e579];
                                     if _e580 {
                                     } else {
-                                        phi_2731_ = true;
+                                        phi_2737_ = true;
                                         break;
                                     }
                                     let _e584 = local[_e579];
@@ -577,687 +579,700 @@ fn function_() {
                                 let _e591 = phi_946_;
                                 let _e593 = phi_947_;
                                 if _e589 {
-                                    if ((_e593 & 2147483648u) != 0u) {
+                                    let _e596 = ((_e593 & 2147483648u) != 0u);
+                                    if _e596 {
                                         phi_962_ = _e565;
                                         phi_965_ = type_4(0u, ((_e593 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e798 = phi_962_;
-                                            let _e800 = phi_965_;
-                                            local_4 = _e798;
-                                            if (_e800.member < _e800.member_1) {
-                                                phi_966_ = type_4((_e800.member + 1u), _e800.member_1);
-                                                phi_988_ = type_4(1u, _e800.member);
+                                            let _e603 = phi_962_;
+                                            let _e605 = phi_965_;
+                                            local_4 = _e603;
+                                            if (_e605.member < _e605.member_1) {
+                                                phi_966_ = type_4((_e605.member + 1u), _e605.member_1);
+                                                phi_988_ = type_4(1u, _e605.member);
                                             } else {
-                                                phi_966_ = _e800;
+                                                phi_966_ = _e605;
                                                 phi_988_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e813 = phi_966_;
-                                            let _e815 = phi_988_;
-                                            let _e819 = (bitcast<i32>(_e815.member) != 0i);
-                                            if _e819 {
-                                                let _e825 = type_48(_e798.member, _e798.member_1, (_e798.member_2 + 1u));
-                                                let _e826 = ((_e593 & 268435455u) + _e815.member_1);
-                                                let _e827 = (_e826 < _e73);
-                                                if _e827 {
-                                                    if _e827 {
+                                            let _e618 = phi_966_;
+                                            let _e620 = phi_988_;
+                                            let _e624 = (bitcast<i32>(_e620.member) != 0i);
+                                            if _e624 {
+                                                let _e630 = type_48(_e603.member, _e603.member_1, (_e603.member_2 + 1u));
+                                                let _e631 = ((_e593 & 268435455u) + _e620.member_1);
+                                                let _e632 = (_e631 < _e73);
+                                                if _e632 {
+                                                    if _e632 {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e831 = global_3.member[_e826].member_1;
-                                                    phi_1012_ = _e831;
+                                                    let _e636 = global_3.member[_e631].member_1;
+                                                    phi_1012_ = _e636;
                                                 } else {
                                                     phi_1012_ = 4294967295u;
                                                 }
-                                                let _e833 = phi_1012_;
-                                                if (_e826 >= _e73) {
+                                                let _e638 = phi_1012_;
+                                                if (_e631 >= _e73) {
                                                     phi_1104_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e827 {
+                                                    if _e632 {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e835 = (_e199 % 3u);
-                                                    let _e836 = (_e198 % 3u);
-                                                    let _e837 = (_e200 % 3u);
-                                                    if (_e835 < 9u) {
+                                                    let _e640 = (_e199 % 3u);
+                                                    let _e641 = (_e198 % 3u);
+                                                    let _e642 = (_e200 % 3u);
+                                                    if (_e640 < 9u) {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e843 = global_3.member[_e826].member[_e835];
-                                                    if (_e836 < 9u) {
+                                                    let _e648 = global_3.member[_e631].member[_e640];
+                                                    if (_e641 < 9u) {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e849 = global_3.member[_e826].member[_e836];
-                                                    if (_e837 < 9u) {
+                                                    let _e654 = global_3.member[_e631].member[_e641];
+                                                    if (_e642 < 9u) {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e855 = global_3.member[_e826].member[_e837];
-                                                    let _e857 = (3u + _e835);
-                                                    if (_e857 < 9u) {
+                                                    let _e660 = global_3.member[_e631].member[_e642];
+                                                    let _e662 = (3u + _e640);
+                                                    if (_e662 < 9u) {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e863 = global_3.member[_e826].member[_e857];
-                                                    let _e864 = (3u + _e836);
-                                                    if (_e864 < 9u) {
+                                                    let _e668 = global_3.member[_e631].member[_e662];
+                                                    let _e669 = (3u + _e641);
+                                                    if (_e669 < 9u) {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e870 = global_3.member[_e826].member[_e864];
-                                                    let _e871 = (3u + _e837);
-                                                    if (_e871 < 9u) {
+                                                    let _e675 = global_3.member[_e631].member[_e669];
+                                                    let _e676 = (3u + _e642);
+                                                    if (_e676 < 9u) {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e877 = global_3.member[_e826].member[_e871];
-                                                    let _e879 = (6u + _e835);
-                                                    if (_e879 < 9u) {
+                                                    let _e682 = global_3.member[_e631].member[_e676];
+                                                    let _e684 = (6u + _e640);
+                                                    if (_e684 < 9u) {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e885 = global_3.member[_e826].member[_e879];
-                                                    let _e886 = (6u + _e836);
-                                                    if (_e886 < 9u) {
+                                                    let _e690 = global_3.member[_e631].member[_e684];
+                                                    let _e691 = (6u + _e641);
+                                                    if (_e691 < 9u) {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e892 = global_3.member[_e826].member[_e886];
-                                                    let _e893 = (6u + _e837);
-                                                    if (_e893 < 9u) {
+                                                    let _e697 = global_3.member[_e631].member[_e691];
+                                                    let _e698 = (6u + _e642);
+                                                    if (_e698 < 9u) {
                                                     } else {
-                                                        phi_2571_ = true;
+                                                        phi_2577_ = true;
                                                         break;
                                                     }
-                                                    let _e899 = global_3.member[_e826].member[_e893];
-                                                    phi_1104_ = array<array<f32, 3>, 3>(array<f32, 3>(_e843, _e849, _e855), array<f32, 3>(_e863, _e870, _e877), array<f32, 3>(_e885, _e892, _e899));
+                                                    let _e704 = global_3.member[_e631].member[_e698];
+                                                    phi_1104_ = array<array<f32, 3>, 3>(array<f32, 3>(_e648, _e654, _e660), array<f32, 3>(_e668, _e675, _e682), array<f32, 3>(_e690, _e697, _e704));
                                                 }
-                                                let _e903 = phi_1104_;
-                                                let _e912 = (_e903[0][2] - _e400);
-                                                let _e915 = (((_e903[0][0] - _e263) * _e439) - (_e912 * _e303));
-                                                let _e918 = (((_e903[0][1] - _e332) * _e439) - (_e912 * _e371));
-                                                let _e925 = (_e903[1][2] - _e400);
-                                                let _e928 = (((_e903[1][0] - _e263) * _e439) - (_e925 * _e303));
-                                                let _e931 = (((_e903[1][1] - _e332) * _e439) - (_e925 * _e371));
-                                                let _e938 = (_e903[2][2] - _e400);
-                                                let _e941 = (((_e903[2][0] - _e263) * _e439) - (_e938 * _e303));
-                                                let _e944 = (((_e903[2][1] - _e332) * _e439) - (_e938 * _e371));
-                                                let _e945 = (_e941 * _e931);
-                                                let _e946 = (_e944 * _e928);
-                                                let _e947 = (_e915 * _e944);
-                                                let _e948 = (_e918 * _e941);
-                                                let _e949 = (_e928 * _e918);
-                                                let _e950 = (_e931 * _e915);
-                                                let _e955 = (((_e945 >= _e946) && (_e947 >= _e948)) && (_e949 >= _e950));
-                                                if (_e955 || (((_e945 <= _e946) && (_e947 <= _e948)) && (_e949 <= _e950))) {
-                                                    let _e962 = select(-1f, 1f, _e955);
-                                                    let _e964 = ((_e945 - _e946) * _e962);
-                                                    let _e966 = select(0f, _e964, (_e964 > 0f));
-                                                    let _e968 = ((_e947 - _e948) * _e962);
-                                                    let _e970 = select(0f, _e968, (_e968 > 0f));
-                                                    let _e972 = ((_e949 - _e950) * _e962);
-                                                    let _e974 = select(0f, _e972, (_e972 > 0f));
-                                                    let _e976 = ((_e966 + _e970) + _e974);
-                                                    if (_e976 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e708 = phi_1104_;
+                                                let _e717 = (_e708[0][2] - _e400);
+                                                let _e720 = (((_e708[0][0] - _e263) * _e439) - (_e717 * _e303));
+                                                let _e723 = (((_e708[0][1] - _e332) * _e439) - (_e717 * _e371));
+                                                let _e730 = (_e708[1][2] - _e400);
+                                                let _e733 = (((_e708[1][0] - _e263) * _e439) - (_e730 * _e303));
+                                                let _e736 = (((_e708[1][1] - _e332) * _e439) - (_e730 * _e371));
+                                                let _e743 = (_e708[2][2] - _e400);
+                                                let _e746 = (((_e708[2][0] - _e263) * _e439) - (_e743 * _e303));
+                                                let _e749 = (((_e708[2][1] - _e332) * _e439) - (_e743 * _e371));
+                                                let _e750 = (_e746 * _e736);
+                                                let _e751 = (_e749 * _e733);
+                                                let _e752 = (_e720 * _e749);
+                                                let _e753 = (_e723 * _e746);
+                                                let _e754 = (_e733 * _e723);
+                                                let _e755 = (_e736 * _e720);
+                                                let _e760 = (((_e750 >= _e751) && (_e752 >= _e753)) && (_e754 >= _e755));
+                                                if (_e760 || (((_e750 <= _e751) && (_e752 <= _e753)) && (_e754 <= _e755))) {
+                                                    let _e767 = select(-1f, 1f, _e760);
+                                                    let _e769 = ((_e750 - _e751) * _e767);
+                                                    let _e771 = select(0f, _e769, (_e769 > 0f));
+                                                    let _e773 = ((_e752 - _e753) * _e767);
+                                                    let _e775 = select(0f, _e773, (_e773 > 0f));
+                                                    let _e777 = ((_e754 - _e755) * _e767);
+                                                    let _e779 = select(0f, _e777, (_e777 > 0f));
+                                                    let _e781 = ((_e771 + _e775) + _e779);
+                                                    if (_e781 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_1988_ = type_27();
                                                         phi_1989_ = true;
                                                         phi_1990_ = false;
                                                     } else {
-                                                        let _e979 = select(_e928, _e915, (_e915 < _e928));
-                                                        if (select(_e941, _e979, (_e979 < _e941)) > 0f) {
+                                                        let _e784 = select(_e733, _e720, (_e720 < _e733));
+                                                        if (select(_e746, _e784, (_e784 < _e746)) > 0f) {
                                                             phi_1256_ = true;
                                                         } else {
-                                                            let _e984 = select(_e928, _e915, (_e915 > _e928));
-                                                            phi_1256_ = (select(_e941, _e984, (_e984 > _e941)) < 0f);
+                                                            let _e789 = select(_e733, _e720, (_e720 > _e733));
+                                                            phi_1256_ = (select(_e746, _e789, (_e789 > _e746)) < 0f);
                                                         }
-                                                        let _e989 = phi_1256_;
-                                                        if _e989 {
+                                                        let _e794 = phi_1256_;
+                                                        if _e794 {
                                                             phi_1985_ = type_27();
                                                             phi_1986_ = true;
                                                             phi_1987_ = false;
                                                         } else {
-                                                            let _e991 = select(_e931, _e918, (_e918 < _e931));
-                                                            if (select(_e944, _e991, (_e991 < _e944)) > 0f) {
+                                                            let _e796 = select(_e736, _e723, (_e723 < _e736));
+                                                            if (select(_e749, _e796, (_e796 < _e749)) > 0f) {
                                                                 phi_1285_ = true;
                                                             } else {
-                                                                let _e996 = select(_e931, _e918, (_e918 > _e931));
-                                                                phi_1285_ = (select(_e944, _e996, (_e996 > _e944)) < 0f);
+                                                                let _e801 = select(_e736, _e723, (_e723 > _e736));
+                                                                phi_1285_ = (select(_e749, _e801, (_e801 > _e749)) < 0f);
                                                             }
-                                                            let _e1001 = phi_1285_;
-                                                            if _e1001 {
+                                                            let _e806 = phi_1285_;
+                                                            if _e806 {
                                                                 phi_1983_ = type_27();
                                                                 phi_1984_ = false;
                                                             } else {
-                                                                let _e1003 = select(_e903[1][0], _e903[0][0], (_e903[0][0] < _e903[1][0]));
-                                                                let _e1007 = select(_e903[1][0], _e903[0][0], (_e903[0][0] > _e903[1][0]));
-                                                                let _e1011 = select(_e903[1][1], _e903[0][1], (_e903[0][1] < _e903[1][1]));
-                                                                let _e1015 = select(_e903[1][1], _e903[0][1], (_e903[0][1] > _e903[1][1]));
-                                                                let _e1019 = select(_e903[1][2], _e903[0][2], (_e903[0][2] < _e903[1][2]));
-                                                                let _e1023 = select(_e903[1][2], _e903[0][2], (_e903[0][2] > _e903[1][2]));
-                                                                let _e1028 = ((select(_e903[2][0], _e1003, (_e1003 < _e903[2][0])) - _e301) * _e306);
-                                                                let _e1029 = ((select(_e903[2][0], _e1007, (_e1007 > _e903[2][0])) - _e302) * _e306);
-                                                                let _e1032 = ((select(_e903[2][1], _e1011, (_e1011 < _e903[2][1])) - _e369) * _e374);
-                                                                let _e1033 = ((select(_e903[2][1], _e1015, (_e1015 > _e903[2][1])) - _e370) * _e374);
-                                                                let _e1036 = ((select(_e903[2][2], _e1019, (_e1019 < _e903[2][2])) - _e437) * _e442);
-                                                                let _e1037 = ((select(_e903[2][2], _e1023, (_e1023 > _e903[2][2])) - _e438) * _e442);
-                                                                let _e1039 = select(_e1037, _e1036, (_e1036 < _e1037));
-                                                                let _e1041 = select(_e1037, _e1036, (_e1036 > _e1037));
-                                                                let _e1043 = select(_e1029, _e1028, (_e1028 < _e1029));
-                                                                let _e1045 = select(_e1033, _e1032, (_e1032 < _e1033));
-                                                                let _e1047 = select(_e1045, _e1043, (_e1043 > _e1045));
-                                                                let _e1049 = select(_e1039, _e1047, (_e1047 > _e1039));
-                                                                let _e1051 = select(_e1029, _e1028, (_e1028 > _e1029));
-                                                                let _e1053 = select(_e1033, _e1032, (_e1032 > _e1033));
-                                                                let _e1055 = select(_e1053, _e1051, (_e1051 < _e1053));
-                                                                let _e1057 = select(_e1041, _e1055, (_e1055 < _e1041));
-                                                                let _e1058 = -(_e1039);
-                                                                let _e1064 = select(_e554, _e1049, (_e1049 > _e554));
-                                                                if (_e1064 > (_e1057 + (select(_e1058, _e1041, (_e1041 > _e1058)) * 0.0000019073523f))) {
+                                                                let _e808 = select(_e708[1][0], _e708[0][0], (_e708[0][0] < _e708[1][0]));
+                                                                let _e812 = select(_e708[1][0], _e708[0][0], (_e708[0][0] > _e708[1][0]));
+                                                                let _e816 = select(_e708[1][1], _e708[0][1], (_e708[0][1] < _e708[1][1]));
+                                                                let _e820 = select(_e708[1][1], _e708[0][1], (_e708[0][1] > _e708[1][1]));
+                                                                let _e824 = select(_e708[1][2], _e708[0][2], (_e708[0][2] < _e708[1][2]));
+                                                                let _e828 = select(_e708[1][2], _e708[0][2], (_e708[0][2] > _e708[1][2]));
+                                                                let _e833 = ((select(_e708[2][0], _e808, (_e808 < _e708[2][0])) - _e301) * _e306);
+                                                                let _e834 = ((select(_e708[2][0], _e812, (_e812 > _e708[2][0])) - _e302) * _e306);
+                                                                let _e837 = ((select(_e708[2][1], _e816, (_e816 < _e708[2][1])) - _e369) * _e374);
+                                                                let _e838 = ((select(_e708[2][1], _e820, (_e820 > _e708[2][1])) - _e370) * _e374);
+                                                                let _e841 = ((select(_e708[2][2], _e824, (_e824 < _e708[2][2])) - _e437) * _e442);
+                                                                let _e842 = ((select(_e708[2][2], _e828, (_e828 > _e708[2][2])) - _e438) * _e442);
+                                                                let _e844 = select(_e842, _e841, (_e841 < _e842));
+                                                                let _e846 = select(_e842, _e841, (_e841 > _e842));
+                                                                let _e848 = select(_e834, _e833, (_e833 < _e834));
+                                                                let _e850 = select(_e838, _e837, (_e837 < _e838));
+                                                                let _e852 = select(_e850, _e848, (_e848 > _e850));
+                                                                let _e854 = select(_e844, _e852, (_e852 > _e844));
+                                                                let _e856 = select(_e834, _e833, (_e833 > _e834));
+                                                                let _e858 = select(_e838, _e837, (_e837 > _e838));
+                                                                let _e860 = select(_e858, _e856, (_e856 < _e858));
+                                                                let _e862 = select(_e846, _e860, (_e860 < _e846));
+                                                                let _e863 = -(_e844);
+                                                                let _e869 = select(_e554, _e854, (_e854 > _e554));
+                                                                if (_e869 > (_e862 + (select(_e863, _e846, (_e846 > _e863)) * 0.0000019073523f))) {
                                                                     phi_1978_ = type_27();
                                                                     phi_1979_ = true;
                                                                 } else {
-                                                                    let _e1066 = (_e1064 > _e798.member.member_1);
-                                                                    if _e1066 {
+                                                                    let _e871 = (_e869 > _e603.member.member_1);
+                                                                    if _e871 {
                                                                         phi_1977_ = type_27();
                                                                     } else {
-                                                                        let _e1067 = vec3<f32>(_e903[0][0], _e903[0][1], _e903[0][2]);
-                                                                        let _e1068 = vec3<f32>(_e903[1][0], _e903[1][1], _e903[1][2]);
-                                                                        let _e1069 = vec3<f32>(_e903[2][0], _e903[2][1], _e903[2][2]);
-                                                                        let _e1070 = (_e903[1][0] - _e903[0][0]);
-                                                                        let _e1071 = (_e903[1][1] - _e903[0][1]);
-                                                                        let _e1072 = (_e903[1][2] - _e903[0][2]);
-                                                                        let _e1073 = vec3<f32>(_e1070, _e1071, _e1072);
-                                                                        let _e1074 = (_e903[2][0] - _e903[1][0]);
-                                                                        let _e1075 = (_e903[2][1] - _e903[1][1]);
-                                                                        let _e1076 = (_e903[2][2] - _e903[1][2]);
-                                                                        let _e1077 = vec3<f32>(_e1074, _e1075, _e1076);
-                                                                        let _e1078 = (_e903[0][0] - _e903[2][0]);
-                                                                        let _e1079 = (_e903[0][1] - _e903[2][1]);
-                                                                        let _e1080 = (_e903[0][2] - _e903[2][2]);
-                                                                        let _e1081 = vec3<f32>(_e1078, _e1079, _e1080);
-                                                                        let _e1084 = bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u));
-                                                                        let _e1087 = bitcast<f32>((bitcast<u32>(_e1071) & 2147483647u));
-                                                                        let _e1089 = select(_e1087, _e1084, (_e1084 > _e1087));
-                                                                        let _e1092 = bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u));
-                                                                        let _e1094 = select(_e1092, _e1089, (_e1089 > _e1092));
-                                                                        let _e1097 = bitcast<f32>((bitcast<u32>(_e1074) & 2147483647u));
-                                                                        let _e1100 = bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u));
-                                                                        let _e1102 = select(_e1100, _e1097, (_e1097 > _e1100));
-                                                                        let _e1105 = bitcast<f32>((bitcast<u32>(_e1076) & 2147483647u));
-                                                                        let _e1107 = select(_e1105, _e1102, (_e1102 > _e1105));
-                                                                        let _e1110 = bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u));
-                                                                        let _e1113 = bitcast<f32>((bitcast<u32>(_e1079) & 2147483647u));
-                                                                        let _e1115 = select(_e1113, _e1110, (_e1110 > _e1113));
-                                                                        let _e1118 = bitcast<f32>((bitcast<u32>(_e1080) & 2147483647u));
-                                                                        let _e1120 = select(_e1118, _e1115, (_e1115 > _e1118));
-                                                                        let _e1122 = select(_e1107, _e1094, (_e1094 > _e1107));
-                                                                        let _e1124 = select(_e1120, _e1122, (_e1122 > _e1120));
-                                                                        if (_e1094 == _e1124) {
-                                                                            phi_1704_ = _e931;
-                                                                            phi_1705_ = _e928;
-                                                                            phi_1706_ = _e918;
-                                                                            phi_1707_ = _e915;
-                                                                            phi_1708_ = _e1067;
-                                                                            phi_1709_ = _e1081;
-                                                                            phi_1710_ = _e1077;
-                                                                            phi_1711_ = _e1073;
+                                                                        let _e872 = vec3<f32>(_e708[0][0], _e708[0][1], _e708[0][2]);
+                                                                        let _e873 = vec3<f32>(_e708[1][0], _e708[1][1], _e708[1][2]);
+                                                                        let _e874 = vec3<f32>(_e708[2][0], _e708[2][1], _e708[2][2]);
+                                                                        let _e875 = (_e708[1][0] - _e708[0][0]);
+                                                                        let _e876 = (_e708[1][1] - _e708[0][1]);
+                                                                        let _e877 = (_e708[1][2] - _e708[0][2]);
+                                                                        let _e878 = vec3<f32>(_e875, _e876, _e877);
+                                                                        let _e879 = (_e708[2][0] - _e708[1][0]);
+                                                                        let _e880 = (_e708[2][1] - _e708[1][1]);
+                                                                        let _e881 = (_e708[2][2] - _e708[1][2]);
+                                                                        let _e882 = vec3<f32>(_e879, _e880, _e881);
+                                                                        let _e883 = (_e708[0][0] - _e708[2][0]);
+                                                                        let _e884 = (_e708[0][1] - _e708[2][1]);
+                                                                        let _e885 = (_e708[0][2] - _e708[2][2]);
+                                                                        let _e886 = vec3<f32>(_e883, _e884, _e885);
+                                                                        let _e889 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
+                                                                        let _e892 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
+                                                                        let _e894 = select(_e892, _e889, (_e889 > _e892));
+                                                                        let _e897 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
+                                                                        let _e899 = select(_e897, _e894, (_e894 > _e897));
+                                                                        let _e902 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
+                                                                        let _e905 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
+                                                                        let _e907 = select(_e905, _e902, (_e902 > _e905));
+                                                                        let _e910 = bitcast<f32>((bitcast<u32>(_e881) & 2147483647u));
+                                                                        let _e912 = select(_e910, _e907, (_e907 > _e910));
+                                                                        let _e915 = bitcast<f32>((bitcast<u32>(_e883) & 2147483647u));
+                                                                        let _e918 = bitcast<f32>((bitcast<u32>(_e884) & 2147483647u));
+                                                                        let _e920 = select(_e918, _e915, (_e915 > _e918));
+                                                                        let _e923 = bitcast<f32>((bitcast<u32>(_e885) & 2147483647u));
+                                                                        let _e925 = select(_e923, _e920, (_e920 > _e923));
+                                                                        let _e927 = select(_e912, _e899, (_e899 > _e912));
+                                                                        let _e929 = select(_e925, _e927, (_e927 > _e925));
+                                                                        if (_e899 == _e929) {
+                                                                            phi_1704_ = _e736;
+                                                                            phi_1705_ = _e733;
+                                                                            phi_1706_ = _e723;
+                                                                            phi_1707_ = _e720;
+                                                                            phi_1708_ = _e872;
+                                                                            phi_1709_ = _e886;
+                                                                            phi_1710_ = _e882;
+                                                                            phi_1711_ = _e878;
                                                                         } else {
-                                                                            let _e1126 = (_e1107 == _e1124);
-                                                                            let _e1131 = vec3(_e1126);
-                                                                            phi_1704_ = select(_e918, _e944, _e1126);
-                                                                            phi_1705_ = select(_e915, _e941, _e1126);
-                                                                            phi_1706_ = select(_e944, _e931, _e1126);
-                                                                            phi_1707_ = select(_e941, _e928, _e1126);
-                                                                            phi_1708_ = select(_e1069, _e1068, _e1131);
-                                                                            phi_1709_ = select(_e1077, _e1073, _e1131);
-                                                                            phi_1710_ = select(_e1073, _e1081, _e1131);
-                                                                            phi_1711_ = select(_e1081, _e1077, _e1131);
+                                                                            let _e931 = (_e912 == _e929);
+                                                                            let _e936 = vec3(_e931);
+                                                                            phi_1704_ = select(_e723, _e749, _e931);
+                                                                            phi_1705_ = select(_e720, _e746, _e931);
+                                                                            phi_1706_ = select(_e749, _e736, _e931);
+                                                                            phi_1707_ = select(_e746, _e733, _e931);
+                                                                            phi_1708_ = select(_e874, _e873, _e936);
+                                                                            phi_1709_ = select(_e882, _e878, _e936);
+                                                                            phi_1710_ = select(_e878, _e886, _e936);
+                                                                            phi_1711_ = select(_e886, _e882, _e936);
                                                                         }
-                                                                        let _e1137 = phi_1704_;
-                                                                        let _e1139 = phi_1705_;
-                                                                        let _e1141 = phi_1706_;
-                                                                        let _e1143 = phi_1707_;
-                                                                        let _e1145 = phi_1708_;
-                                                                        let _e1147 = phi_1709_;
-                                                                        let _e1149 = phi_1710_;
-                                                                        let _e1151 = phi_1711_;
-                                                                        let _e1158 = ((_e1149.y * _e1147.z) - (_e1147.y * _e1149.z));
-                                                                        let _e1163 = ((_e1149.z * _e1147.x) - (_e1147.z * _e1149.x));
-                                                                        let _e1166 = ((_e1149.x * _e1147.y) - (_e1147.x * _e1149.y));
-                                                                        if (_e966 >= _e970) {
-                                                                            phi_1748_ = select(true, false, (_e966 >= _e974));
+                                                                        let _e942 = phi_1704_;
+                                                                        let _e944 = phi_1705_;
+                                                                        let _e946 = phi_1706_;
+                                                                        let _e948 = phi_1707_;
+                                                                        let _e950 = phi_1708_;
+                                                                        let _e952 = phi_1709_;
+                                                                        let _e954 = phi_1710_;
+                                                                        let _e956 = phi_1711_;
+                                                                        let _e963 = ((_e954.y * _e952.z) - (_e952.y * _e954.z));
+                                                                        let _e968 = ((_e954.z * _e952.x) - (_e952.z * _e954.x));
+                                                                        let _e971 = ((_e954.x * _e952.y) - (_e952.x * _e954.y));
+                                                                        if (_e771 >= _e775) {
+                                                                            phi_1748_ = select(true, false, (_e771 >= _e779));
                                                                         } else {
                                                                             phi_1748_ = true;
                                                                         }
-                                                                        let _e1171 = phi_1748_;
-                                                                        if _e1171 {
-                                                                            phi_1757_ = select(_e1069, _e1068, vec3((_e970 >= _e974)));
+                                                                        let _e976 = phi_1748_;
+                                                                        if _e976 {
+                                                                            phi_1757_ = select(_e874, _e873, vec3((_e775 >= _e779)));
                                                                         } else {
-                                                                            phi_1757_ = _e1067;
+                                                                            phi_1757_ = _e872;
                                                                         }
-                                                                        let _e1176 = phi_1757_;
-                                                                        let _e1187 = (((_e1158 * (_e1176.x - _e263)) + (_e1163 * (_e1176.y - _e332))) + (_e1166 * (_e1176.z - _e400)));
-                                                                        let _e1192 = (((_e1158 * _e303) + (_e1163 * _e371)) + (_e1166 * _e439));
-                                                                        let _e1193 = (_e1139 - _e1143);
-                                                                        let _e1194 = (_e1137 - _e1141);
-                                                                        let _e1202 = (-(((_e1143 * _e1193) + (_e1141 * _e1194))) / ((_e1193 * _e1193) + (_e1194 * _e1194)));
-                                                                        let _e1204 = select(1f, _e1202, (_e1202 < 1f));
-                                                                        let _e1206 = select(0f, _e1204, (_e1204 > 0f));
-                                                                        let _e1219 = ((_e1145.x + (_e1151.x * _e1206)) - _e263);
-                                                                        let _e1220 = ((_e1145.y + (_e1151.y * _e1206)) - _e332);
-                                                                        let _e1221 = ((_e1145.z + (_e1151.z * _e1206)) - _e400);
-                                                                        let _e1222 = (_e1221 / _e439);
-                                                                        let _e1234 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
-                                                                        let _e1237 = bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u));
-                                                                        let _e1239 = select(_e1237, _e1234, (_e1234 > _e1237));
-                                                                        let _e1242 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
-                                                                        let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
-                                                                        let _e1250 = bitcast<f32>((bitcast<u32>(_e1158) & 2147483647u));
-                                                                        let _e1253 = bitcast<f32>((bitcast<u32>(_e1163) & 2147483647u));
-                                                                        let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
-                                                                        let _e1258 = bitcast<f32>((bitcast<u32>(_e1166) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1158 * _e1219) + (_e1163 * _e1220)) + (_e1166 * _e1221)) - _e1187)) & 2147483647u)) <= ((0.0000009536743f * select(_e1124, _e1244, (_e1244 > _e1124))) * select(_e1258, _e1255, (_e1255 > _e1258)))) {
-                                                                            let _e1268 = bitcast<f32>((bitcast<u32>(_e1149.x) & 2147483647u));
-                                                                            let _e1271 = bitcast<f32>((bitcast<u32>(_e1149.y) & 2147483647u));
-                                                                            let _e1273 = select(_e1271, _e1268, (_e1268 > _e1271));
-                                                                            let _e1276 = bitcast<f32>((bitcast<u32>(_e1149.z) & 2147483647u));
-                                                                            let _e1282 = bitcast<f32>((bitcast<u32>(_e1147.x) & 2147483647u));
-                                                                            let _e1285 = bitcast<f32>((bitcast<u32>(_e1147.y) & 2147483647u));
-                                                                            let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
-                                                                            let _e1290 = bitcast<f32>((bitcast<u32>(_e1147.z) & 2147483647u));
-                                                                            let _e1294 = (bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u)) > ((0.0000038146973f * select(_e1276, _e1273, (_e1273 > _e1276))) * select(_e1290, _e1287, (_e1287 > _e1290))));
-                                                                            if _e1294 {
-                                                                                phi_1922_ = (_e1187 / _e1192);
+                                                                        let _e981 = phi_1757_;
+                                                                        let _e992 = (((_e963 * (_e981.x - _e263)) + (_e968 * (_e981.y - _e332))) + (_e971 * (_e981.z - _e400)));
+                                                                        let _e997 = (((_e963 * _e303) + (_e968 * _e371)) + (_e971 * _e439));
+                                                                        let _e998 = (_e944 - _e948);
+                                                                        let _e999 = (_e942 - _e946);
+                                                                        let _e1007 = (-(((_e948 * _e998) + (_e946 * _e999))) / ((_e998 * _e998) + (_e999 * _e999)));
+                                                                        let _e1009 = select(1f, _e1007, (_e1007 < 1f));
+                                                                        let _e1011 = select(0f, _e1009, (_e1009 > 0f));
+                                                                        let _e1024 = ((_e950.x + (_e956.x * _e1011)) - _e263);
+                                                                        let _e1025 = ((_e950.y + (_e956.y * _e1011)) - _e332);
+                                                                        let _e1026 = ((_e950.z + (_e956.z * _e1011)) - _e400);
+                                                                        let _e1027 = (_e1026 / _e439);
+                                                                        let _e1039 = bitcast<f32>((bitcast<u32>(_e1024) & 2147483647u));
+                                                                        let _e1042 = bitcast<f32>((bitcast<u32>(_e1025) & 2147483647u));
+                                                                        let _e1044 = select(_e1042, _e1039, (_e1039 > _e1042));
+                                                                        let _e1047 = bitcast<f32>((bitcast<u32>(_e1026) & 2147483647u));
+                                                                        let _e1049 = select(_e1047, _e1044, (_e1044 > _e1047));
+                                                                        let _e1055 = bitcast<f32>((bitcast<u32>(_e963) & 2147483647u));
+                                                                        let _e1058 = bitcast<f32>((bitcast<u32>(_e968) & 2147483647u));
+                                                                        let _e1060 = select(_e1058, _e1055, (_e1055 > _e1058));
+                                                                        let _e1063 = bitcast<f32>((bitcast<u32>(_e971) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e963 * _e1024) + (_e968 * _e1025)) + (_e971 * _e1026)) - _e992)) & 2147483647u)) <= ((0.0000009536743f * select(_e929, _e1049, (_e1049 > _e929))) * select(_e1063, _e1060, (_e1060 > _e1063)))) {
+                                                                            let _e1073 = bitcast<f32>((bitcast<u32>(_e954.x) & 2147483647u));
+                                                                            let _e1076 = bitcast<f32>((bitcast<u32>(_e954.y) & 2147483647u));
+                                                                            let _e1078 = select(_e1076, _e1073, (_e1073 > _e1076));
+                                                                            let _e1081 = bitcast<f32>((bitcast<u32>(_e954.z) & 2147483647u));
+                                                                            let _e1087 = bitcast<f32>((bitcast<u32>(_e952.x) & 2147483647u));
+                                                                            let _e1090 = bitcast<f32>((bitcast<u32>(_e952.y) & 2147483647u));
+                                                                            let _e1092 = select(_e1090, _e1087, (_e1087 > _e1090));
+                                                                            let _e1095 = bitcast<f32>((bitcast<u32>(_e952.z) & 2147483647u));
+                                                                            let _e1099 = (bitcast<f32>((bitcast<u32>(_e997) & 2147483647u)) > ((0.0000038146973f * select(_e1081, _e1078, (_e1078 > _e1081))) * select(_e1095, _e1092, (_e1092 > _e1095))));
+                                                                            if _e1099 {
+                                                                                phi_1922_ = (_e992 / _e997);
                                                                             } else {
                                                                                 phi_1922_ = f32();
                                                                             }
-                                                                            let _e1297 = phi_1922_;
-                                                                            phi_1924_ = _e1297;
-                                                                            phi_1925_ = select(true, false, _e1294);
+                                                                            let _e1102 = phi_1922_;
+                                                                            phi_1924_ = _e1102;
+                                                                            phi_1925_ = select(true, false, _e1099);
                                                                         } else {
                                                                             phi_1924_ = f32();
                                                                             phi_1925_ = true;
                                                                         }
-                                                                        let _e1300 = phi_1924_;
-                                                                        let _e1302 = phi_1925_;
-                                                                        if _e1302 {
-                                                                            let _e1310 = (((_e1158 * (_e1219 - (_e303 * _e1222))) + (_e1163 * (_e1220 - (_e371 * _e1222)))) / _e1192);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1310) & 2147483647u)) <= _e1124) {
-                                                                                phi_1945_ = (_e1222 + _e1310);
+                                                                        let _e1105 = phi_1924_;
+                                                                        let _e1107 = phi_1925_;
+                                                                        if _e1107 {
+                                                                            let _e1115 = (((_e963 * (_e1024 - (_e303 * _e1027))) + (_e968 * (_e1025 - (_e371 * _e1027)))) / _e997);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1115) & 2147483647u)) <= _e929) {
+                                                                                phi_1945_ = (_e1027 + _e1115);
                                                                             } else {
-                                                                                phi_1945_ = _e1222;
+                                                                                phi_1945_ = _e1027;
                                                                             }
-                                                                            let _e1317 = phi_1945_;
-                                                                            phi_1946_ = _e1317;
+                                                                            let _e1122 = phi_1945_;
+                                                                            phi_1946_ = _e1122;
                                                                         } else {
-                                                                            phi_1946_ = _e1300;
+                                                                            phi_1946_ = _e1105;
                                                                         }
-                                                                        let _e1319 = phi_1946_;
-                                                                        let _e1321 = select(_e1057, _e1319, (_e1319 < _e1057));
-                                                                        let _e1323 = select(_e1049, _e1321, (_e1321 > _e1049));
-                                                                        if (_e1323 >= _e554) {
-                                                                            let _e1325 = (_e1323 <= _e798.member.member_1);
-                                                                            if _e1325 {
-                                                                                let _e1326 = (1f / _e976);
-                                                                                phi_1969_ = type_27(_e1323, (_e970 * _e1326), (_e974 * _e1326), _e833);
+                                                                        let _e1124 = phi_1946_;
+                                                                        let _e1126 = select(_e862, _e1124, (_e1124 < _e862));
+                                                                        let _e1128 = select(_e854, _e1126, (_e1126 > _e854));
+                                                                        if (_e1128 >= _e554) {
+                                                                            let _e1130 = (_e1128 <= _e603.member.member_1);
+                                                                            if _e1130 {
+                                                                                let _e1131 = (1f / _e781);
+                                                                                phi_1969_ = type_27(_e1128, (_e775 * _e1131), (_e779 * _e1131), _e638);
                                                                             } else {
                                                                                 phi_1969_ = type_27();
                                                                             }
-                                                                            let _e1331 = phi_1969_;
-                                                                            phi_1971_ = _e1331;
-                                                                            phi_1972_ = select(true, false, _e1325);
+                                                                            let _e1136 = phi_1969_;
+                                                                            phi_1971_ = _e1136;
+                                                                            phi_1972_ = select(true, false, _e1130);
                                                                         } else {
                                                                             phi_1971_ = type_27();
                                                                             phi_1972_ = true;
                                                                         }
-                                                                        let _e1334 = phi_1971_;
-                                                                        let _e1336 = phi_1972_;
-                                                                        if _e1336 {
+                                                                        let _e1139 = phi_1971_;
+                                                                        let _e1141 = phi_1972_;
+                                                                        if _e1141 {
                                                                             phi_1976_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1976_ = _e1334;
+                                                                            phi_1976_ = _e1139;
                                                                         }
-                                                                        let _e1338 = phi_1976_;
-                                                                        phi_1977_ = _e1338;
+                                                                        let _e1143 = phi_1976_;
+                                                                        phi_1977_ = _e1143;
                                                                     }
-                                                                    let _e1340 = phi_1977_;
-                                                                    phi_1978_ = _e1340;
-                                                                    phi_1979_ = _e1066;
+                                                                    let _e1145 = phi_1977_;
+                                                                    phi_1978_ = _e1145;
+                                                                    phi_1979_ = _e871;
                                                                 }
-                                                                let _e1342 = phi_1978_;
-                                                                let _e1344 = phi_1979_;
-                                                                phi_1983_ = _e1342;
-                                                                phi_1984_ = _e1344;
+                                                                let _e1147 = phi_1978_;
+                                                                let _e1149 = phi_1979_;
+                                                                phi_1983_ = _e1147;
+                                                                phi_1984_ = _e1149;
                                                             }
-                                                            let _e1346 = phi_1983_;
-                                                            let _e1348 = phi_1984_;
-                                                            phi_1985_ = _e1346;
-                                                            phi_1986_ = _e1001;
-                                                            phi_1987_ = _e1348;
+                                                            let _e1151 = phi_1983_;
+                                                            let _e1153 = phi_1984_;
+                                                            phi_1985_ = _e1151;
+                                                            phi_1986_ = _e806;
+                                                            phi_1987_ = _e1153;
                                                         }
-                                                        let _e1350 = phi_1985_;
-                                                        let _e1352 = phi_1986_;
-                                                        let _e1354 = phi_1987_;
-                                                        phi_1988_ = _e1350;
-                                                        phi_1989_ = _e1352;
-                                                        phi_1990_ = _e1354;
+                                                        let _e1155 = phi_1985_;
+                                                        let _e1157 = phi_1986_;
+                                                        let _e1159 = phi_1987_;
+                                                        phi_1988_ = _e1155;
+                                                        phi_1989_ = _e1157;
+                                                        phi_1990_ = _e1159;
                                                     }
-                                                    let _e1356 = phi_1988_;
-                                                    let _e1358 = phi_1989_;
-                                                    let _e1360 = phi_1990_;
-                                                    phi_1998_ = _e1356;
-                                                    phi_1999_ = select(_e1360, true, _e1358);
+                                                    let _e1161 = phi_1988_;
+                                                    let _e1163 = phi_1989_;
+                                                    let _e1165 = phi_1990_;
+                                                    phi_1998_ = _e1161;
+                                                    phi_1999_ = select(_e1165, true, _e1163);
                                                 } else {
                                                     phi_1998_ = type_27();
                                                     phi_1999_ = true;
                                                 }
-                                                let _e1363 = phi_1998_;
-                                                let _e1365 = phi_1999_;
-                                                if _e1365 {
+                                                let _e1168 = phi_1998_;
+                                                let _e1170 = phi_1999_;
+                                                if _e1170 {
                                                     phi_2003_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2003_ = _e1363;
+                                                    phi_2003_ = _e1168;
                                                 }
-                                                let _e1367 = phi_2003_;
-                                                if (_e1367.member_3 != 4294967295u) {
-                                                    if (_e833 != 4294967295u) {
-                                                        if (_e1367.member < _e798.member.member.member) {
+                                                let _e1172 = phi_2003_;
+                                                if (_e1172.member_3 != 4294967295u) {
+                                                    if (_e638 != 4294967295u) {
+                                                        if (_e1172.member < _e603.member.member.member) {
                                                             phi_2029_ = true;
                                                         } else {
-                                                            if (_e1367.member == _e798.member.member.member) {
-                                                                phi_2028_ = (_e1367.member_3 < _e798.member.member.member_3);
+                                                            if (_e1172.member == _e603.member.member.member) {
+                                                                phi_2028_ = (_e1172.member_3 < _e603.member.member.member_3);
                                                             } else {
                                                                 phi_2028_ = false;
                                                             }
-                                                            let _e1382 = phi_2028_;
-                                                            phi_2029_ = _e1382;
+                                                            let _e1187 = phi_2028_;
+                                                            phi_2029_ = _e1187;
                                                         }
-                                                        let _e1384 = phi_2029_;
-                                                        if _e1384 {
-                                                            phi_2036_ = type_48(type_40(_e1367, _e1367.member), _e825.member_1, _e825.member_2);
+                                                        let _e1189 = phi_2029_;
+                                                        if _e1189 {
+                                                            phi_2036_ = type_48(type_40(_e1172, _e1172.member), _e630.member_1, _e630.member_2);
                                                         } else {
-                                                            phi_2036_ = _e825;
+                                                            phi_2036_ = _e630;
                                                         }
-                                                        let _e1391 = phi_2036_;
-                                                        phi_2037_ = _e1391;
+                                                        let _e1196 = phi_2036_;
+                                                        phi_2037_ = _e1196;
                                                     } else {
-                                                        phi_2037_ = _e825;
+                                                        phi_2037_ = _e630;
                                                     }
-                                                    let _e1393 = phi_2037_;
-                                                    phi_2038_ = _e1393;
+                                                    let _e1198 = phi_2037_;
+                                                    phi_2038_ = _e1198;
                                                 } else {
-                                                    phi_2038_ = _e825;
+                                                    phi_2038_ = _e630;
                                                 }
-                                                let _e1395 = phi_2038_;
-                                                phi_963_ = _e1395;
+                                                let _e1200 = phi_2038_;
+                                                phi_963_ = _e1200;
                                             } else {
                                                 phi_963_ = type_48();
                                             }
-                                            let _e1397 = phi_963_;
+                                            let _e1202 = phi_963_;
                                             continue;
                                             continuing {
-                                                phi_962_ = _e1397;
-                                                phi_965_ = _e813;
-                                                phi_2571_ = _e563;
-                                                break if !(_e819);
+                                                phi_962_ = _e1202;
+                                                phi_965_ = _e618;
+                                                phi_2577_ = _e563;
+                                                break if !(_e624);
                                             }
                                         }
-                                        let _e1400 = phi_2571_;
-                                        phi_2731_ = _e1400;
-                                        if _e1400 {
+                                        let _e1205 = phi_2577_;
+                                        phi_2737_ = _e1205;
+                                        if _e1205 {
                                             break;
                                         }
-                                        phi_2735_ = _e1400;
-                                        let _e1571 = local_4;
-                                        phi_2528_ = _e1571;
-                                        phi_2529_ = false;
-                                        phi_2530_ = _e591;
-                                        phi_2531_ = _e593;
+                                        phi_2772_ = _e1205;
+                                        let _e1566 = local_4;
+                                        phi_2039_ = _e1566;
+                                    } else {
+                                        phi_2772_ = _e563;
+                                        phi_2039_ = _e565;
+                                    }
+                                    let _e1207 = phi_2772_;
+                                    let _e1209 = phi_2039_;
+                                    if _e596 {
+                                        phi_2523_ = type_48();
+                                        phi_2524_ = bool();
+                                        phi_2525_ = u32();
+                                        phi_2526_ = u32();
                                     } else {
                                         if (_e593 >= _e71) {
-                                            phi_2108_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_2104_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e593 < _e71) {
                                             } else {
-                                                phi_2731_ = true;
+                                                phi_2737_ = true;
                                                 break;
                                             }
-                                            let _e603 = (_e199 % 3u);
-                                            if (_e603 < 3u) {
+                                            let _e1212 = (_e199 % 3u);
+                                            if (_e1212 < 3u) {
                                             } else {
-                                                phi_2731_ = true;
+                                                phi_2737_ = true;
                                                 break;
                                             }
-                                            let _e609 = global_2.member[_e593].member[_e603];
-                                            let _e615 = (_e198 % 3u);
-                                            if (_e615 < 3u) {
+                                            let _e1218 = global_2.member[_e593].member[_e1212];
+                                            let _e1224 = (_e198 % 3u);
+                                            if (_e1224 < 3u) {
                                             } else {
-                                                phi_2731_ = true;
+                                                phi_2737_ = true;
                                                 break;
                                             }
-                                            let _e621 = global_2.member[_e593].member[_e615];
-                                            let _e627 = (_e200 % 3u);
-                                            if (_e627 < 3u) {
+                                            let _e1230 = global_2.member[_e593].member[_e1224];
+                                            let _e1236 = (_e200 % 3u);
+                                            if (_e1236 < 3u) {
                                             } else {
-                                                phi_2731_ = true;
+                                                phi_2737_ = true;
                                                 break;
                                             }
-                                            let _e633 = global_2.member[_e593].member[_e627];
-                                            let _e643 = global_2.member[_e593].member_1;
-                                            let _e647 = global_2.member[_e593].member_2;
-                                            phi_2108_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e609[0], _e609[1], _e609[2], _e609[3]), vec4<f32>(_e621[0], _e621[1], _e621[2], _e621[3]), vec4<f32>(_e633[0], _e633[1], _e633[2], _e633[3])), _e643, _e647);
+                                            let _e1242 = global_2.member[_e593].member[_e1236];
+                                            let _e1252 = global_2.member[_e593].member_1;
+                                            let _e1256 = global_2.member[_e593].member_2;
+                                            phi_2104_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e1218[0], _e1218[1], _e1218[2], _e1218[3]), vec4<f32>(_e1230[0], _e1230[1], _e1230[2], _e1230[3]), vec4<f32>(_e1242[0], _e1242[1], _e1242[2], _e1242[3])), _e1252, _e1256);
                                         }
-                                        let _e650 = phi_2108_;
-                                        let _e669 = ((_e650.member[0].x - _e301) * _e306);
-                                        let _e670 = ((_e650.member[0].y - _e301) * _e306);
-                                        let _e671 = ((_e650.member[0].z - _e302) * _e306);
-                                        let _e672 = ((_e650.member[0].w - _e302) * _e306);
-                                        let _e682 = ((_e650.member[1].x - _e369) * _e374);
-                                        let _e683 = ((_e650.member[1].y - _e369) * _e374);
-                                        let _e684 = ((_e650.member[1].z - _e370) * _e374);
-                                        let _e685 = ((_e650.member[1].w - _e370) * _e374);
-                                        let _e695 = ((_e650.member[2].x - _e437) * _e442);
-                                        let _e696 = ((_e650.member[2].y - _e437) * _e442);
-                                        let _e697 = ((_e650.member[2].z - _e438) * _e442);
-                                        let _e698 = ((_e650.member[2].w - _e438) * _e442);
-                                        let _e700 = select(_e697, _e695, (_e695 < _e697));
-                                        let _e702 = select(_e698, _e696, (_e696 < _e698));
-                                        let _e704 = select(_e697, _e695, (_e695 > _e697));
-                                        let _e706 = select(_e698, _e696, (_e696 > _e698));
-                                        let _e708 = select(_e671, _e669, (_e669 < _e671));
-                                        let _e710 = select(_e672, _e670, (_e670 < _e672));
-                                        let _e712 = select(_e684, _e682, (_e682 < _e684));
-                                        let _e714 = select(_e685, _e683, (_e683 < _e685));
-                                        let _e716 = select(_e712, _e708, (_e708 > _e712));
-                                        let _e718 = select(_e714, _e710, (_e710 > _e714));
-                                        let _e720 = select(_e700, _e716, (_e716 > _e700));
-                                        let _e722 = select(_e702, _e718, (_e718 > _e702));
-                                        let _e724 = select(_e671, _e669, (_e669 > _e671));
-                                        let _e726 = select(_e672, _e670, (_e670 > _e672));
-                                        let _e728 = select(_e684, _e682, (_e682 > _e684));
-                                        let _e730 = select(_e685, _e683, (_e683 > _e685));
-                                        let _e732 = select(_e728, _e724, (_e724 < _e728));
-                                        let _e734 = select(_e730, _e726, (_e726 < _e730));
-                                        let _e739 = -(_e700);
-                                        let _e740 = -(_e702);
-                                        let _e747 = (select(_e704, _e732, (_e732 < _e704)) + (select(_e739, _e704, (_e704 > _e739)) * 0.0000019073523f));
-                                        let _e748 = (select(_e706, _e734, (_e734 < _e706)) + (select(_e740, _e706, (_e706 > _e740)) * 0.0000019073523f));
-                                        let _e750 = select(_e554, _e720, (_e720 > _e554));
-                                        let _e752 = select(_e554, _e722, (_e722 > _e554));
-                                        let _e757 = (_e750 <= select(_e565.member.member_1, _e747, (_e747 < _e565.member.member_1)));
-                                        let _e758 = (_e752 <= select(_e565.member.member_1, _e748, (_e748 < _e565.member.member_1)));
-                                        let _e759 = (_e750 <= _e752);
-                                        if _e757 {
-                                            if _e758 {
-                                                if _e759 {
-                                                    phi_2473_ = _e650.member_2;
+                                        let _e1259 = phi_2104_;
+                                        let _e1278 = ((_e1259.member[0].x - _e301) * _e306);
+                                        let _e1279 = ((_e1259.member[0].y - _e301) * _e306);
+                                        let _e1280 = ((_e1259.member[0].z - _e302) * _e306);
+                                        let _e1281 = ((_e1259.member[0].w - _e302) * _e306);
+                                        let _e1291 = ((_e1259.member[1].x - _e369) * _e374);
+                                        let _e1292 = ((_e1259.member[1].y - _e369) * _e374);
+                                        let _e1293 = ((_e1259.member[1].z - _e370) * _e374);
+                                        let _e1294 = ((_e1259.member[1].w - _e370) * _e374);
+                                        let _e1304 = ((_e1259.member[2].x - _e437) * _e442);
+                                        let _e1305 = ((_e1259.member[2].y - _e437) * _e442);
+                                        let _e1306 = ((_e1259.member[2].z - _e438) * _e442);
+                                        let _e1307 = ((_e1259.member[2].w - _e438) * _e442);
+                                        let _e1309 = select(_e1306, _e1304, (_e1304 < _e1306));
+                                        let _e1311 = select(_e1307, _e1305, (_e1305 < _e1307));
+                                        let _e1313 = select(_e1306, _e1304, (_e1304 > _e1306));
+                                        let _e1315 = select(_e1307, _e1305, (_e1305 > _e1307));
+                                        let _e1317 = select(_e1280, _e1278, (_e1278 < _e1280));
+                                        let _e1319 = select(_e1281, _e1279, (_e1279 < _e1281));
+                                        let _e1321 = select(_e1293, _e1291, (_e1291 < _e1293));
+                                        let _e1323 = select(_e1294, _e1292, (_e1292 < _e1294));
+                                        let _e1325 = select(_e1321, _e1317, (_e1317 > _e1321));
+                                        let _e1327 = select(_e1323, _e1319, (_e1319 > _e1323));
+                                        let _e1329 = select(_e1309, _e1325, (_e1325 > _e1309));
+                                        let _e1331 = select(_e1311, _e1327, (_e1327 > _e1311));
+                                        let _e1333 = select(_e1280, _e1278, (_e1278 > _e1280));
+                                        let _e1335 = select(_e1281, _e1279, (_e1279 > _e1281));
+                                        let _e1337 = select(_e1293, _e1291, (_e1291 > _e1293));
+                                        let _e1339 = select(_e1294, _e1292, (_e1292 > _e1294));
+                                        let _e1341 = select(_e1337, _e1333, (_e1333 < _e1337));
+                                        let _e1343 = select(_e1339, _e1335, (_e1335 < _e1339));
+                                        let _e1348 = -(_e1309);
+                                        let _e1349 = -(_e1311);
+                                        let _e1356 = (select(_e1313, _e1341, (_e1341 < _e1313)) + (select(_e1348, _e1313, (_e1313 > _e1348)) * 0.0000019073523f));
+                                        let _e1357 = (select(_e1315, _e1343, (_e1343 < _e1315)) + (select(_e1349, _e1315, (_e1315 > _e1349)) * 0.0000019073523f));
+                                        let _e1359 = select(_e554, _e1329, (_e1329 > _e554));
+                                        let _e1361 = select(_e554, _e1331, (_e1331 > _e554));
+                                        let _e1366 = (_e1359 <= select(_e1209.member.member_1, _e1356, (_e1356 < _e1209.member.member_1)));
+                                        let _e1367 = (_e1361 <= select(_e1209.member.member_1, _e1357, (_e1357 < _e1209.member.member_1)));
+                                        let _e1368 = (_e1359 <= _e1361);
+                                        if _e1366 {
+                                            if _e1367 {
+                                                if _e1368 {
+                                                    phi_2469_ = _e1259.member_2;
                                                 } else {
-                                                    phi_2473_ = _e650.member_1;
+                                                    phi_2469_ = _e1259.member_1;
                                                 }
-                                                let _e763 = phi_2473_;
-                                                let _e766 = (_e591 % 128u);
-                                                let _e767 = (_e766 < 128u);
-                                                if _e767 {
+                                                let _e1372 = phi_2469_;
+                                                let _e1374 = (_e591 % 128u);
+                                                let _e1375 = (_e1374 < 128u);
+                                                if _e1375 {
                                                 } else {
-                                                    phi_2731_ = true;
+                                                    phi_2737_ = true;
                                                     break;
                                                 }
-                                                local_1[_e766] = _e763;
-                                                if _e767 {
+                                                local_1[_e1374] = _e1372;
+                                                if _e1375 {
                                                 } else {
-                                                    phi_2731_ = true;
+                                                    phi_2737_ = true;
                                                     break;
                                                 }
-                                                local[_e766] = select(_e752, _e750, !(_e759));
-                                                if _e759 {
-                                                    phi_2501_ = _e650.member_1;
+                                                local[_e1374] = select(_e1359, _e1361, _e1368);
+                                                if _e1368 {
+                                                    phi_2496_ = _e1259.member_1;
                                                 } else {
-                                                    phi_2501_ = _e650.member_2;
+                                                    phi_2496_ = _e1259.member_2;
                                                 }
-                                                let _e774 = phi_2501_;
-                                                phi_2502_ = (_e591 + 1u);
-                                                phi_2503_ = _e774;
+                                                let _e1382 = phi_2496_;
+                                                phi_2497_ = (_e591 + 1u);
+                                                phi_2498_ = _e1382;
                                             } else {
-                                                phi_2502_ = u32();
-                                                phi_2503_ = u32();
+                                                phi_2497_ = u32();
+                                                phi_2498_ = u32();
                                             }
-                                            let _e776 = phi_2502_;
-                                            let _e778 = phi_2503_;
-                                            phi_2505_ = _e776;
-                                            phi_2506_ = _e778;
-                                            phi_2507_ = select(true, false, _e758);
+                                            let _e1384 = phi_2497_;
+                                            let _e1386 = phi_2498_;
+                                            phi_2500_ = _e1384;
+                                            phi_2501_ = _e1386;
+                                            phi_2502_ = select(true, false, _e1367);
                                         } else {
-                                            phi_2505_ = u32();
-                                            phi_2506_ = u32();
-                                            phi_2507_ = true;
+                                            phi_2500_ = u32();
+                                            phi_2501_ = u32();
+                                            phi_2502_ = true;
                                         }
-                                        let _e781 = phi_2505_;
-                                        let _e783 = phi_2506_;
-                                        let _e785 = phi_2507_;
-                                        if _e785 {
-                                            if _e757 {
-                                                phi_2516_ = _e650.member_1;
+                                        let _e1389 = phi_2500_;
+                                        let _e1391 = phi_2501_;
+                                        let _e1393 = phi_2502_;
+                                        if _e1393 {
+                                            if _e1366 {
+                                                phi_2511_ = _e1259.member_1;
                                             } else {
-                                                phi_2516_ = _e650.member_2;
+                                                phi_2511_ = _e1259.member_2;
                                             }
-                                            let _e789 = phi_2516_;
-                                            phi_2521_ = select(_e758, true, _e757);
-                                            phi_2523_ = _e789;
+                                            let _e1397 = phi_2511_;
+                                            phi_2516_ = select(_e1367, true, _e1366);
+                                            phi_2518_ = _e1397;
                                         } else {
-                                            phi_2521_ = _e589;
-                                            phi_2523_ = _e783;
+                                            phi_2516_ = _e589;
+                                            phi_2518_ = _e1391;
                                         }
-                                        let _e792 = phi_2521_;
-                                        let _e794 = phi_2523_;
-                                        phi_2735_ = _e563;
-                                        phi_2528_ = type_48(_e565.member, (_e565.member_1 + 1u), _e565.member_2);
-                                        phi_2529_ = _e792;
-                                        phi_2530_ = select(_e781, _e591, _e785);
-                                        phi_2531_ = _e794;
+                                        let _e1400 = phi_2516_;
+                                        let _e1402 = phi_2518_;
+                                        phi_2523_ = type_48(_e1209.member, (_e1209.member_1 + 1u), _e1209.member_2);
+                                        phi_2524_ = _e1400;
+                                        phi_2525_ = select(_e1389, _e591, _e1393);
+                                        phi_2526_ = _e1402;
                                     }
-                                    let _e1402 = phi_2735_;
-                                    let _e1404 = phi_2528_;
-                                    let _e1406 = phi_2529_;
-                                    let _e1408 = phi_2530_;
-                                    let _e1410 = phi_2531_;
-                                    phi_2734_ = _e1402;
-                                    phi_2532_ = _e1404;
-                                    phi_2533_ = _e1406;
-                                    phi_2534_ = (_e569 - 1u);
-                                    phi_2535_ = _e1408;
-                                    phi_2536_ = _e1410;
+                                    let _e1405 = phi_2523_;
+                                    let _e1407 = phi_2524_;
+                                    let _e1409 = phi_2525_;
+                                    let _e1411 = phi_2526_;
+                                    if _e596 {
+                                        phi_2534_ = _e1209;
+                                    } else {
+                                        phi_2534_ = _e1405;
+                                    }
+                                    let _e1413 = phi_2534_;
+                                    phi_2740_ = _e1207;
+                                    phi_2538_ = _e1413;
+                                    phi_2539_ = (_e567 - 1u);
+                                    phi_2540_ = select(_e1407, false, _e596);
+                                    phi_2541_ = select(_e1409, _e591, _e596);
+                                    phi_2542_ = select(_e1411, _e593, _e596);
                                 } else {
-                                    phi_2734_ = _e563;
-                                    phi_2532_ = _e565;
-                                    phi_2533_ = _e589;
-                                    phi_2534_ = _e569;
-                                    phi_2535_ = _e591;
-                                    phi_2536_ = _e593;
+                                    phi_2740_ = _e563;
+                                    phi_2538_ = _e565;
+                                    phi_2539_ = _e567;
+                                    phi_2540_ = _e589;
+                                    phi_2541_ = _e591;
+                                    phi_2542_ = _e593;
                                 }
-                                let _e1412 = phi_2734_;
-                                let _e1414 = phi_2532_;
-                                let _e1416 = phi_2533_;
-                                let _e1418 = phi_2534_;
-                                let _e1420 = phi_2535_;
-                                let _e1422 = phi_2536_;
-                                phi_2733_ = _e1412;
-                                phi_2537_ = _e1414;
-                                phi_2538_ = _e1416;
-                                phi_2539_ = _e1418;
-                                phi_2540_ = _e1420;
-                                phi_2541_ = _e1422;
+                                let _e1418 = phi_2740_;
+                                let _e1420 = phi_2538_;
+                                let _e1422 = phi_2539_;
+                                let _e1424 = phi_2540_;
+                                let _e1426 = phi_2541_;
+                                let _e1428 = phi_2542_;
+                                phi_2739_ = _e1418;
+                                phi_2543_ = _e1420;
+                                phi_2544_ = _e1422;
+                                phi_2545_ = _e1424;
+                                phi_2546_ = _e1426;
+                                phi_2547_ = _e1428;
                             } else {
-                                phi_2733_ = _e563;
-                                phi_2537_ = type_48();
-                                phi_2538_ = bool();
-                                phi_2539_ = u32();
-                                phi_2540_ = u32();
-                                phi_2541_ = u32();
+                                phi_2739_ = _e563;
+                                phi_2543_ = type_48();
+                                phi_2544_ = u32();
+                                phi_2545_ = bool();
+                                phi_2546_ = u32();
+                                phi_2547_ = u32();
                             }
-                            let _e1424 = phi_2733_;
-                            let _e1426 = phi_2537_;
-                            let _e1428 = phi_2538_;
-                            let _e1430 = phi_2539_;
-                            let _e1432 = phi_2540_;
-                            let _e1434 = phi_2541_;
-                            phi_2732_ = _e1424;
-                            phi_894_ = _e1426;
-                            phi_897_ = _e1428;
-                            phi_899_ = _e1430;
-                            phi_901_ = _e1432;
-                            phi_903_ = _e1434;
-                            phi_2542_ = _e577;
+                            let _e1430 = phi_2739_;
+                            let _e1432 = phi_2543_;
+                            let _e1434 = phi_2544_;
+                            let _e1436 = phi_2545_;
+                            let _e1438 = phi_2546_;
+                            let _e1440 = phi_2547_;
+                            phi_2738_ = _e1430;
+                            phi_894_ = _e1432;
+                            phi_897_ = _e1434;
+                            phi_899_ = _e1436;
+                            phi_901_ = _e1438;
+                            phi_903_ = _e1440;
+                            phi_2548_ = _e577;
                         } else {
-                            phi_2732_ = _e563;
+                            phi_2738_ = _e563;
                             phi_894_ = type_48();
-                            phi_897_ = bool();
-                            phi_899_ = u32();
+                            phi_897_ = u32();
+                            phi_899_ = bool();
                             phi_901_ = u32();
                             phi_903_ = u32();
-                            phi_2542_ = false;
+                            phi_2548_ = false;
                         }
-                        let _e1436 = phi_2732_;
-                        let _e1438 = phi_894_;
-                        let _e1440 = phi_897_;
-                        let _e1442 = phi_899_;
-                        let _e1444 = phi_901_;
-                        let _e1446 = phi_903_;
-                        let _e1448 = phi_2542_;
+                        let _e1442 = phi_2738_;
+                        let _e1444 = phi_894_;
+                        let _e1446 = phi_897_;
+                        let _e1448 = phi_899_;
+                        let _e1450 = phi_901_;
+                        let _e1452 = phi_903_;
+                        let _e1454 = phi_2548_;
                         continue;
                         continuing {
-                            phi_2577_ = _e1436;
-                            phi_893_ = _e1438;
-                            phi_896_ = _e1440;
-                            phi_898_ = _e1442;
-                            phi_900_ = _e1444;
-                            phi_902_ = _e1446;
-                            phi_2731_ = _e1436;
-                            break if !(_e1448);
+                            phi_2583_ = _e1442;
+                            phi_893_ = _e1444;
+                            phi_896_ = _e1446;
+                            phi_898_ = _e1448;
+                            phi_900_ = _e1450;
+                            phi_902_ = _e1452;
+                            phi_2737_ = _e1442;
+                            break if !(_e1454);
                         }
                     }
-                    let _e1451 = phi_2731_;
-                    if _e1451 {
+                    let _e1457 = phi_2737_;
+                    if _e1457 {
                         break;
                     }
-                    let _e1453 = local_2;
-                    let _e1456 = local_3;
+                    let _e1459 = local_2;
+                    let _e1462 = local_3;
                     if _e87 {
                     } else {
                         break;
                     }
-                    global_5.member[_e81][0u] = _e1453.member_1;
-                    global_5.member[_e81][1u] = _e1456.member_2;
+                    global_5.member[_e81][0u] = _e1459.member_1;
+                    global_5.member[_e81][1u] = _e1462.member_2;
                 }
             }
             break;

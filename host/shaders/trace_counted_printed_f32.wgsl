@@ -134,27 +134,16 @@ fn function_() {
     var phi_926_: u32;
     var phi_934_: f32;
     var phi_935_: f32;
-    var phi_3312_: bool;
+    var phi_3318_: bool;
     var phi_1019_: type_38;
-    var phi_1022_: bool;
-    var phi_1024_: u32;
+    var phi_1022_: u32;
+    var phi_1024_: bool;
     var phi_1026_: u32;
     var phi_1028_: type_49;
     var phi_1039_: bool;
     var phi_1125_: bool;
     var phi_1126_: u32;
     var phi_1127_: type_49;
-    var phi_2247_: type_42;
-    var phi_3136_: type_49;
-    var phi_3213_: type_49;
-    var phi_3214_: u32;
-    var phi_3215_: type_49;
-    var phi_3217_: u32;
-    var phi_3218_: type_49;
-    var phi_3219_: bool;
-    var phi_3226_: type_49;
-    var phi_3231_: bool;
-    var phi_3233_: type_49;
     var phi_1145_: type_38;
     var phi_1148_: type_4;
     var phi_1149_: type_4;
@@ -202,32 +191,46 @@ fn function_() {
     var phi_2220_: type_38;
     var phi_2221_: type_38;
     var phi_1146_: type_38;
-    var phi_3306_: bool;
-    var phi_3470_: bool;
-    var phi_3238_: type_38;
-    var phi_3239_: bool;
-    var phi_3240_: u32;
-    var phi_3241_: type_49;
-    var phi_3469_: bool;
-    var phi_3242_: type_38;
-    var phi_3243_: bool;
-    var phi_3244_: u32;
-    var phi_3245_: u32;
-    var phi_3246_: type_49;
-    var phi_3468_: bool;
-    var phi_3247_: type_38;
-    var phi_3248_: bool;
+    var phi_3312_: bool;
+    var phi_3531_: bool;
+    var phi_2222_: type_38;
+    var phi_2243_: type_42;
+    var phi_3132_: type_49;
+    var phi_3208_: type_49;
+    var phi_3209_: u32;
+    var phi_3210_: type_49;
+    var phi_3212_: u32;
+    var phi_3213_: type_49;
+    var phi_3214_: bool;
+    var phi_3221_: type_49;
+    var phi_3226_: bool;
+    var phi_3228_: type_49;
+    var phi_3233_: type_38;
+    var phi_3234_: bool;
+    var phi_3235_: u32;
+    var phi_3236_: type_49;
+    var phi_3244_: type_38;
+    var phi_3247_: type_49;
+    var phi_3475_: bool;
+    var phi_3248_: type_38;
     var phi_3249_: u32;
-    var phi_3250_: u32;
-    var phi_3251_: type_49;
-    var phi_3467_: bool;
+    var phi_3250_: bool;
+    var phi_3251_: u32;
+    var phi_3252_: type_49;
+    var phi_3474_: bool;
+    var phi_3253_: type_38;
+    var phi_3254_: u32;
+    var phi_3255_: bool;
+    var phi_3256_: u32;
+    var phi_3257_: type_49;
+    var phi_3473_: bool;
     var phi_1020_: type_38;
-    var phi_1023_: bool;
-    var phi_1025_: u32;
+    var phi_1023_: u32;
+    var phi_1025_: bool;
     var phi_1027_: u32;
     var phi_1029_: type_49;
-    var phi_3252_: bool;
-    var phi_3466_: bool;
+    var phi_3258_: bool;
+    var phi_3472_: bool;
     var local_10: type_38;
     var local_11: type_38;
     var local_12: type_38;
@@ -593,14 +596,14 @@ fn function_() {
                         break;
                     }
                     let _e626 = local_8[_e615];
-                    phi_3312_ = false;
+                    phi_3318_ = false;
                     phi_1019_ = type_38(type_32(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e599), 0u, 0u);
-                    phi_1022_ = (_e601 <= _e599);
-                    phi_1024_ = ((3u * _e84) + 1u);
+                    phi_1022_ = ((3u * _e84) + 1u);
+                    phi_1024_ = (_e601 <= _e599);
                     phi_1026_ = 0u;
                     phi_1028_ = type_49(type_47(array<f32, 3>(_e610, _e614, _e618), array<f32, 3>(_e622, _e624, _e626)), select(0u, 2147483648u, (_e84 == 0u)));
                     loop {
-                        let _e634 = phi_3312_;
+                        let _e634 = phi_3318_;
                         let _e636 = phi_1019_;
                         let _e638 = phi_1022_;
                         let _e640 = phi_1024_;
@@ -608,17 +611,17 @@ fn function_() {
                         let _e644 = phi_1028_;
                         local_10 = _e636;
                         local_11 = _e636;
-                        if _e638 {
+                        if _e640 {
                             phi_1039_ = true;
                         } else {
                             phi_1039_ = (_e642 > 0u);
                         }
                         let _e647 = phi_1039_;
                         if _e647 {
-                            let _e648 = (_e640 > 0u);
+                            let _e648 = (_e638 > 0u);
                             if _e648 {
-                                if _e638 {
-                                    phi_1125_ = _e638;
+                                if _e640 {
+                                    phi_1125_ = _e640;
                                     phi_1126_ = _e642;
                                     phi_1127_ = _e644;
                                 } else {
@@ -627,49 +630,49 @@ fn function_() {
                                     let _e651 = (_e650 < 128u);
                                     if _e651 {
                                     } else {
-                                        phi_3466_ = true;
+                                        phi_3472_ = true;
                                         break;
                                     }
                                     let _e653 = local_6[_e650];
                                     if _e651 {
                                     } else {
-                                        phi_3466_ = true;
+                                        phi_3472_ = true;
                                         break;
                                     }
                                     let _e655 = local_5[_e650];
                                     if _e651 {
                                     } else {
-                                        phi_3466_ = true;
+                                        phi_3472_ = true;
                                         break;
                                     }
                                     let _e657 = local_4[_e650];
                                     if _e651 {
                                     } else {
-                                        phi_3466_ = true;
+                                        phi_3472_ = true;
                                         break;
                                     }
                                     let _e659 = local_3[_e650];
                                     if _e651 {
                                     } else {
-                                        phi_3466_ = true;
+                                        phi_3472_ = true;
                                         break;
                                     }
                                     let _e662 = local_2[_e650];
                                     if _e651 {
                                     } else {
-                                        phi_3466_ = true;
+                                        phi_3472_ = true;
                                         break;
                                     }
                                     let _e664 = local_1[_e650];
                                     if _e651 {
                                     } else {
-                                        phi_3466_ = true;
+                                        phi_3472_ = true;
                                         break;
                                     }
                                     let _e666 = local[_e650];
                                     if _e651 {
                                     } else {
-                                        phi_3466_ = true;
+                                        phi_3472_ = true;
                                         break;
                                     }
                                     let _e671 = local_7[_e650];
@@ -681,743 +684,759 @@ fn function_() {
                                 let _e678 = phi_1126_;
                                 let _e680 = phi_1127_;
                                 if _e676 {
-                                    if ((_e680.member_1 & 2147483648u) != 0u) {
+                                    let _e684 = ((_e680.member_1 & 2147483648u) != 0u);
+                                    if _e684 {
                                         phi_1145_ = _e636;
                                         phi_1148_ = type_4(0u, ((_e680.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1063 = phi_1145_;
-                                            let _e1065 = phi_1148_;
-                                            local_12 = _e1063;
-                                            if (_e1065.member < _e1065.member_1) {
-                                                phi_1149_ = type_4((_e1065.member + 1u), _e1065.member_1);
-                                                phi_1171_ = type_4(1u, _e1065.member);
+                                            let _e691 = phi_1145_;
+                                            let _e693 = phi_1148_;
+                                            local_12 = _e691;
+                                            if (_e693.member < _e693.member_1) {
+                                                phi_1149_ = type_4((_e693.member + 1u), _e693.member_1);
+                                                phi_1171_ = type_4(1u, _e693.member);
                                             } else {
-                                                phi_1149_ = _e1065;
+                                                phi_1149_ = _e693;
                                                 phi_1171_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1078 = phi_1149_;
-                                            let _e1080 = phi_1171_;
-                                            let _e1084 = (bitcast<i32>(_e1080.member) != 0i);
-                                            if _e1084 {
-                                                let _e1090 = type_38(_e1063.member, _e1063.member_1, (_e1063.member_2 + 1u));
-                                                let _e1091 = ((_e680.member_1 & 268435455u) + _e1080.member_1);
-                                                let _e1092 = (_e1091 < _e86);
-                                                if _e1092 {
-                                                    if _e1092 {
+                                            let _e706 = phi_1149_;
+                                            let _e708 = phi_1171_;
+                                            let _e712 = (bitcast<i32>(_e708.member) != 0i);
+                                            if _e712 {
+                                                let _e718 = type_38(_e691.member, _e691.member_1, (_e691.member_2 + 1u));
+                                                let _e719 = ((_e680.member_1 & 268435455u) + _e708.member_1);
+                                                let _e720 = (_e719 < _e86);
+                                                if _e720 {
+                                                    if _e720 {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
-                                                    let _e1096 = global_2.member[_e1091].member_1;
-                                                    phi_1195_ = _e1096;
+                                                    let _e724 = global_2.member[_e719].member_1;
+                                                    phi_1195_ = _e724;
                                                 } else {
                                                     phi_1195_ = 4294967295u;
                                                 }
-                                                let _e1098 = phi_1195_;
-                                                if (_e1091 >= _e86) {
+                                                let _e726 = phi_1195_;
+                                                if (_e719 >= _e86) {
                                                     phi_1287_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1092 {
+                                                    if _e720 {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
                                                     if (_e607 < 9u) {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
-                                                    let _e1105 = global_2.member[_e1091].member[_e607];
+                                                    let _e733 = global_2.member[_e719].member[_e607];
                                                     if (_e611 < 9u) {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
-                                                    let _e1111 = global_2.member[_e1091].member[_e611];
+                                                    let _e739 = global_2.member[_e719].member[_e611];
                                                     if (_e615 < 9u) {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
-                                                    let _e1117 = global_2.member[_e1091].member[_e615];
-                                                    let _e1119 = (3u + _e607);
-                                                    if (_e1119 < 9u) {
+                                                    let _e745 = global_2.member[_e719].member[_e615];
+                                                    let _e747 = (3u + _e607);
+                                                    if (_e747 < 9u) {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
-                                                    let _e1125 = global_2.member[_e1091].member[_e1119];
-                                                    let _e1126 = (3u + _e611);
-                                                    if (_e1126 < 9u) {
+                                                    let _e753 = global_2.member[_e719].member[_e747];
+                                                    let _e754 = (3u + _e611);
+                                                    if (_e754 < 9u) {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
-                                                    let _e1132 = global_2.member[_e1091].member[_e1126];
-                                                    let _e1133 = (3u + _e615);
-                                                    if (_e1133 < 9u) {
+                                                    let _e760 = global_2.member[_e719].member[_e754];
+                                                    let _e761 = (3u + _e615);
+                                                    if (_e761 < 9u) {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
-                                                    let _e1139 = global_2.member[_e1091].member[_e1133];
-                                                    let _e1141 = (6u + _e607);
-                                                    if (_e1141 < 9u) {
+                                                    let _e767 = global_2.member[_e719].member[_e761];
+                                                    let _e769 = (6u + _e607);
+                                                    if (_e769 < 9u) {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
-                                                    let _e1147 = global_2.member[_e1091].member[_e1141];
-                                                    let _e1148 = (6u + _e611);
-                                                    if (_e1148 < 9u) {
+                                                    let _e775 = global_2.member[_e719].member[_e769];
+                                                    let _e776 = (6u + _e611);
+                                                    if (_e776 < 9u) {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
-                                                    let _e1154 = global_2.member[_e1091].member[_e1148];
-                                                    let _e1155 = (6u + _e615);
-                                                    if (_e1155 < 9u) {
+                                                    let _e782 = global_2.member[_e719].member[_e776];
+                                                    let _e783 = (6u + _e615);
+                                                    if (_e783 < 9u) {
                                                     } else {
-                                                        phi_3306_ = true;
+                                                        phi_3312_ = true;
                                                         break;
                                                     }
-                                                    let _e1161 = global_2.member[_e1091].member[_e1155];
-                                                    phi_1287_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1105, _e1111, _e1117), array<f32, 3>(_e1125, _e1132, _e1139), array<f32, 3>(_e1147, _e1154, _e1161));
+                                                    let _e789 = global_2.member[_e719].member[_e783];
+                                                    phi_1287_ = array<array<f32, 3>, 3>(array<f32, 3>(_e733, _e739, _e745), array<f32, 3>(_e753, _e760, _e767), array<f32, 3>(_e775, _e782, _e789));
                                                 }
-                                                let _e1165 = phi_1287_;
-                                                let _e1174 = (_e1165[0][2] - _e447);
-                                                let _e1177 = (((_e1165[0][0] - _e310) * _e486) - (_e1174 * _e350));
-                                                let _e1180 = (((_e1165[0][1] - _e379) * _e486) - (_e1174 * _e418));
-                                                let _e1187 = (_e1165[1][2] - _e447);
-                                                let _e1190 = (((_e1165[1][0] - _e310) * _e486) - (_e1187 * _e350));
-                                                let _e1193 = (((_e1165[1][1] - _e379) * _e486) - (_e1187 * _e418));
-                                                let _e1200 = (_e1165[2][2] - _e447);
-                                                let _e1203 = (((_e1165[2][0] - _e310) * _e486) - (_e1200 * _e350));
-                                                let _e1206 = (((_e1165[2][1] - _e379) * _e486) - (_e1200 * _e418));
-                                                let _e1207 = (_e1203 * _e1193);
-                                                let _e1208 = (_e1206 * _e1190);
-                                                let _e1209 = (_e1177 * _e1206);
-                                                let _e1210 = (_e1180 * _e1203);
-                                                let _e1211 = (_e1190 * _e1180);
-                                                let _e1212 = (_e1193 * _e1177);
-                                                let _e1217 = (((_e1207 >= _e1208) && (_e1209 >= _e1210)) && (_e1211 >= _e1212));
-                                                if (_e1217 || (((_e1207 <= _e1208) && (_e1209 <= _e1210)) && (_e1211 <= _e1212))) {
-                                                    let _e1224 = select(-1f, 1f, _e1217);
-                                                    let _e1226 = ((_e1207 - _e1208) * _e1224);
-                                                    let _e1228 = select(0f, _e1226, (_e1226 > 0f));
-                                                    let _e1230 = ((_e1209 - _e1210) * _e1224);
-                                                    let _e1232 = select(0f, _e1230, (_e1230 > 0f));
-                                                    let _e1234 = ((_e1211 - _e1212) * _e1224);
-                                                    let _e1236 = select(0f, _e1234, (_e1234 > 0f));
-                                                    let _e1238 = ((_e1228 + _e1232) + _e1236);
-                                                    if (_e1238 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e793 = phi_1287_;
+                                                let _e802 = (_e793[0][2] - _e447);
+                                                let _e805 = (((_e793[0][0] - _e310) * _e486) - (_e802 * _e350));
+                                                let _e808 = (((_e793[0][1] - _e379) * _e486) - (_e802 * _e418));
+                                                let _e815 = (_e793[1][2] - _e447);
+                                                let _e818 = (((_e793[1][0] - _e310) * _e486) - (_e815 * _e350));
+                                                let _e821 = (((_e793[1][1] - _e379) * _e486) - (_e815 * _e418));
+                                                let _e828 = (_e793[2][2] - _e447);
+                                                let _e831 = (((_e793[2][0] - _e310) * _e486) - (_e828 * _e350));
+                                                let _e834 = (((_e793[2][1] - _e379) * _e486) - (_e828 * _e418));
+                                                let _e835 = (_e831 * _e821);
+                                                let _e836 = (_e834 * _e818);
+                                                let _e837 = (_e805 * _e834);
+                                                let _e838 = (_e808 * _e831);
+                                                let _e839 = (_e818 * _e808);
+                                                let _e840 = (_e821 * _e805);
+                                                let _e845 = (((_e835 >= _e836) && (_e837 >= _e838)) && (_e839 >= _e840));
+                                                if (_e845 || (((_e835 <= _e836) && (_e837 <= _e838)) && (_e839 <= _e840))) {
+                                                    let _e852 = select(-1f, 1f, _e845);
+                                                    let _e854 = ((_e835 - _e836) * _e852);
+                                                    let _e856 = select(0f, _e854, (_e854 > 0f));
+                                                    let _e858 = ((_e837 - _e838) * _e852);
+                                                    let _e860 = select(0f, _e858, (_e858 > 0f));
+                                                    let _e862 = ((_e839 - _e840) * _e852);
+                                                    let _e864 = select(0f, _e862, (_e862 > 0f));
+                                                    let _e866 = ((_e856 + _e860) + _e864);
+                                                    if (_e866 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2171_ = type_25();
                                                         phi_2172_ = true;
                                                         phi_2173_ = false;
                                                     } else {
-                                                        let _e1241 = select(_e1190, _e1177, (_e1177 < _e1190));
-                                                        if (select(_e1203, _e1241, (_e1241 < _e1203)) > 0f) {
+                                                        let _e869 = select(_e818, _e805, (_e805 < _e818));
+                                                        if (select(_e831, _e869, (_e869 < _e831)) > 0f) {
                                                             phi_1439_ = true;
                                                         } else {
-                                                            let _e1246 = select(_e1190, _e1177, (_e1177 > _e1190));
-                                                            phi_1439_ = (select(_e1203, _e1246, (_e1246 > _e1203)) < 0f);
+                                                            let _e874 = select(_e818, _e805, (_e805 > _e818));
+                                                            phi_1439_ = (select(_e831, _e874, (_e874 > _e831)) < 0f);
                                                         }
-                                                        let _e1251 = phi_1439_;
-                                                        if _e1251 {
+                                                        let _e879 = phi_1439_;
+                                                        if _e879 {
                                                             phi_2168_ = type_25();
                                                             phi_2169_ = true;
                                                             phi_2170_ = false;
                                                         } else {
-                                                            let _e1253 = select(_e1193, _e1180, (_e1180 < _e1193));
-                                                            if (select(_e1206, _e1253, (_e1253 < _e1206)) > 0f) {
+                                                            let _e881 = select(_e821, _e808, (_e808 < _e821));
+                                                            if (select(_e834, _e881, (_e881 < _e834)) > 0f) {
                                                                 phi_1468_ = true;
                                                             } else {
-                                                                let _e1258 = select(_e1193, _e1180, (_e1180 > _e1193));
-                                                                phi_1468_ = (select(_e1206, _e1258, (_e1258 > _e1206)) < 0f);
+                                                                let _e886 = select(_e821, _e808, (_e808 > _e821));
+                                                                phi_1468_ = (select(_e834, _e886, (_e886 > _e834)) < 0f);
                                                             }
-                                                            let _e1263 = phi_1468_;
-                                                            if _e1263 {
+                                                            let _e891 = phi_1468_;
+                                                            if _e891 {
                                                                 phi_2166_ = type_25();
                                                                 phi_2167_ = false;
                                                             } else {
-                                                                let _e1265 = select(_e1165[1][0], _e1165[0][0], (_e1165[0][0] < _e1165[1][0]));
-                                                                let _e1269 = select(_e1165[1][0], _e1165[0][0], (_e1165[0][0] > _e1165[1][0]));
-                                                                let _e1273 = select(_e1165[1][1], _e1165[0][1], (_e1165[0][1] < _e1165[1][1]));
-                                                                let _e1277 = select(_e1165[1][1], _e1165[0][1], (_e1165[0][1] > _e1165[1][1]));
-                                                                let _e1281 = select(_e1165[1][2], _e1165[0][2], (_e1165[0][2] < _e1165[1][2]));
-                                                                let _e1285 = select(_e1165[1][2], _e1165[0][2], (_e1165[0][2] > _e1165[1][2]));
-                                                                let _e1290 = ((select(_e1165[2][0], _e1265, (_e1265 < _e1165[2][0])) - _e348) * _e353);
-                                                                let _e1291 = ((select(_e1165[2][0], _e1269, (_e1269 > _e1165[2][0])) - _e349) * _e353);
-                                                                let _e1294 = ((select(_e1165[2][1], _e1273, (_e1273 < _e1165[2][1])) - _e416) * _e421);
-                                                                let _e1295 = ((select(_e1165[2][1], _e1277, (_e1277 > _e1165[2][1])) - _e417) * _e421);
-                                                                let _e1298 = ((select(_e1165[2][2], _e1281, (_e1281 < _e1165[2][2])) - _e484) * _e489);
-                                                                let _e1299 = ((select(_e1165[2][2], _e1285, (_e1285 > _e1165[2][2])) - _e485) * _e489);
-                                                                let _e1301 = select(_e1299, _e1298, (_e1298 < _e1299));
-                                                                let _e1303 = select(_e1299, _e1298, (_e1298 > _e1299));
-                                                                let _e1305 = select(_e1291, _e1290, (_e1290 < _e1291));
-                                                                let _e1307 = select(_e1295, _e1294, (_e1294 < _e1295));
-                                                                let _e1309 = select(_e1307, _e1305, (_e1305 > _e1307));
-                                                                let _e1311 = select(_e1301, _e1309, (_e1309 > _e1301));
-                                                                let _e1313 = select(_e1291, _e1290, (_e1290 > _e1291));
-                                                                let _e1315 = select(_e1295, _e1294, (_e1294 > _e1295));
-                                                                let _e1317 = select(_e1315, _e1313, (_e1313 < _e1315));
-                                                                let _e1319 = select(_e1303, _e1317, (_e1317 < _e1303));
-                                                                let _e1320 = -(_e1301);
-                                                                let _e1326 = select(_e601, _e1311, (_e1311 > _e601));
-                                                                if (_e1326 > (_e1319 + (select(_e1320, _e1303, (_e1303 > _e1320)) * 0.0000019073523f))) {
+                                                                let _e893 = select(_e793[1][0], _e793[0][0], (_e793[0][0] < _e793[1][0]));
+                                                                let _e897 = select(_e793[1][0], _e793[0][0], (_e793[0][0] > _e793[1][0]));
+                                                                let _e901 = select(_e793[1][1], _e793[0][1], (_e793[0][1] < _e793[1][1]));
+                                                                let _e905 = select(_e793[1][1], _e793[0][1], (_e793[0][1] > _e793[1][1]));
+                                                                let _e909 = select(_e793[1][2], _e793[0][2], (_e793[0][2] < _e793[1][2]));
+                                                                let _e913 = select(_e793[1][2], _e793[0][2], (_e793[0][2] > _e793[1][2]));
+                                                                let _e918 = ((select(_e793[2][0], _e893, (_e893 < _e793[2][0])) - _e348) * _e353);
+                                                                let _e919 = ((select(_e793[2][0], _e897, (_e897 > _e793[2][0])) - _e349) * _e353);
+                                                                let _e922 = ((select(_e793[2][1], _e901, (_e901 < _e793[2][1])) - _e416) * _e421);
+                                                                let _e923 = ((select(_e793[2][1], _e905, (_e905 > _e793[2][1])) - _e417) * _e421);
+                                                                let _e926 = ((select(_e793[2][2], _e909, (_e909 < _e793[2][2])) - _e484) * _e489);
+                                                                let _e927 = ((select(_e793[2][2], _e913, (_e913 > _e793[2][2])) - _e485) * _e489);
+                                                                let _e929 = select(_e927, _e926, (_e926 < _e927));
+                                                                let _e931 = select(_e927, _e926, (_e926 > _e927));
+                                                                let _e933 = select(_e919, _e918, (_e918 < _e919));
+                                                                let _e935 = select(_e923, _e922, (_e922 < _e923));
+                                                                let _e937 = select(_e935, _e933, (_e933 > _e935));
+                                                                let _e939 = select(_e929, _e937, (_e937 > _e929));
+                                                                let _e941 = select(_e919, _e918, (_e918 > _e919));
+                                                                let _e943 = select(_e923, _e922, (_e922 > _e923));
+                                                                let _e945 = select(_e943, _e941, (_e941 < _e943));
+                                                                let _e947 = select(_e931, _e945, (_e945 < _e931));
+                                                                let _e948 = -(_e929);
+                                                                let _e954 = select(_e601, _e939, (_e939 > _e601));
+                                                                if (_e954 > (_e947 + (select(_e948, _e931, (_e931 > _e948)) * 0.0000019073523f))) {
                                                                     phi_2161_ = type_25();
                                                                     phi_2162_ = true;
                                                                 } else {
-                                                                    let _e1328 = (_e1326 > _e1063.member.member_1);
-                                                                    if _e1328 {
+                                                                    let _e956 = (_e954 > _e691.member.member_1);
+                                                                    if _e956 {
                                                                         phi_2160_ = type_25();
                                                                     } else {
-                                                                        let _e1329 = vec3<f32>(_e1165[0][0], _e1165[0][1], _e1165[0][2]);
-                                                                        let _e1330 = vec3<f32>(_e1165[1][0], _e1165[1][1], _e1165[1][2]);
-                                                                        let _e1331 = vec3<f32>(_e1165[2][0], _e1165[2][1], _e1165[2][2]);
-                                                                        let _e1332 = (_e1165[1][0] - _e1165[0][0]);
-                                                                        let _e1333 = (_e1165[1][1] - _e1165[0][1]);
-                                                                        let _e1334 = (_e1165[1][2] - _e1165[0][2]);
-                                                                        let _e1335 = vec3<f32>(_e1332, _e1333, _e1334);
-                                                                        let _e1336 = (_e1165[2][0] - _e1165[1][0]);
-                                                                        let _e1337 = (_e1165[2][1] - _e1165[1][1]);
-                                                                        let _e1338 = (_e1165[2][2] - _e1165[1][2]);
-                                                                        let _e1339 = vec3<f32>(_e1336, _e1337, _e1338);
-                                                                        let _e1340 = (_e1165[0][0] - _e1165[2][0]);
-                                                                        let _e1341 = (_e1165[0][1] - _e1165[2][1]);
-                                                                        let _e1342 = (_e1165[0][2] - _e1165[2][2]);
-                                                                        let _e1343 = vec3<f32>(_e1340, _e1341, _e1342);
-                                                                        let _e1346 = bitcast<f32>((bitcast<u32>(_e1332) & 2147483647u));
-                                                                        let _e1349 = bitcast<f32>((bitcast<u32>(_e1333) & 2147483647u));
-                                                                        let _e1351 = select(_e1349, _e1346, (_e1346 > _e1349));
-                                                                        let _e1354 = bitcast<f32>((bitcast<u32>(_e1334) & 2147483647u));
-                                                                        let _e1356 = select(_e1354, _e1351, (_e1351 > _e1354));
-                                                                        let _e1359 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
-                                                                        let _e1362 = bitcast<f32>((bitcast<u32>(_e1337) & 2147483647u));
-                                                                        let _e1364 = select(_e1362, _e1359, (_e1359 > _e1362));
-                                                                        let _e1367 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
-                                                                        let _e1369 = select(_e1367, _e1364, (_e1364 > _e1367));
-                                                                        let _e1372 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
-                                                                        let _e1375 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
-                                                                        let _e1377 = select(_e1375, _e1372, (_e1372 > _e1375));
-                                                                        let _e1380 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
-                                                                        let _e1382 = select(_e1380, _e1377, (_e1377 > _e1380));
-                                                                        let _e1384 = select(_e1369, _e1356, (_e1356 > _e1369));
-                                                                        let _e1386 = select(_e1382, _e1384, (_e1384 > _e1382));
-                                                                        if (_e1356 == _e1386) {
-                                                                            phi_1887_ = _e1193;
-                                                                            phi_1888_ = _e1190;
-                                                                            phi_1889_ = _e1180;
-                                                                            phi_1890_ = _e1177;
-                                                                            phi_1891_ = _e1329;
-                                                                            phi_1892_ = _e1343;
-                                                                            phi_1893_ = _e1339;
-                                                                            phi_1894_ = _e1335;
+                                                                        let _e957 = vec3<f32>(_e793[0][0], _e793[0][1], _e793[0][2]);
+                                                                        let _e958 = vec3<f32>(_e793[1][0], _e793[1][1], _e793[1][2]);
+                                                                        let _e959 = vec3<f32>(_e793[2][0], _e793[2][1], _e793[2][2]);
+                                                                        let _e960 = (_e793[1][0] - _e793[0][0]);
+                                                                        let _e961 = (_e793[1][1] - _e793[0][1]);
+                                                                        let _e962 = (_e793[1][2] - _e793[0][2]);
+                                                                        let _e963 = vec3<f32>(_e960, _e961, _e962);
+                                                                        let _e964 = (_e793[2][0] - _e793[1][0]);
+                                                                        let _e965 = (_e793[2][1] - _e793[1][1]);
+                                                                        let _e966 = (_e793[2][2] - _e793[1][2]);
+                                                                        let _e967 = vec3<f32>(_e964, _e965, _e966);
+                                                                        let _e968 = (_e793[0][0] - _e793[2][0]);
+                                                                        let _e969 = (_e793[0][1] - _e793[2][1]);
+                                                                        let _e970 = (_e793[0][2] - _e793[2][2]);
+                                                                        let _e971 = vec3<f32>(_e968, _e969, _e970);
+                                                                        let _e974 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
+                                                                        let _e977 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
+                                                                        let _e979 = select(_e977, _e974, (_e974 > _e977));
+                                                                        let _e982 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
+                                                                        let _e984 = select(_e982, _e979, (_e979 > _e982));
+                                                                        let _e987 = bitcast<f32>((bitcast<u32>(_e964) & 2147483647u));
+                                                                        let _e990 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
+                                                                        let _e992 = select(_e990, _e987, (_e987 > _e990));
+                                                                        let _e995 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
+                                                                        let _e997 = select(_e995, _e992, (_e992 > _e995));
+                                                                        let _e1000 = bitcast<f32>((bitcast<u32>(_e968) & 2147483647u));
+                                                                        let _e1003 = bitcast<f32>((bitcast<u32>(_e969) & 2147483647u));
+                                                                        let _e1005 = select(_e1003, _e1000, (_e1000 > _e1003));
+                                                                        let _e1008 = bitcast<f32>((bitcast<u32>(_e970) & 2147483647u));
+                                                                        let _e1010 = select(_e1008, _e1005, (_e1005 > _e1008));
+                                                                        let _e1012 = select(_e997, _e984, (_e984 > _e997));
+                                                                        let _e1014 = select(_e1010, _e1012, (_e1012 > _e1010));
+                                                                        if (_e984 == _e1014) {
+                                                                            phi_1887_ = _e821;
+                                                                            phi_1888_ = _e818;
+                                                                            phi_1889_ = _e808;
+                                                                            phi_1890_ = _e805;
+                                                                            phi_1891_ = _e957;
+                                                                            phi_1892_ = _e971;
+                                                                            phi_1893_ = _e967;
+                                                                            phi_1894_ = _e963;
                                                                         } else {
-                                                                            let _e1388 = (_e1369 == _e1386);
-                                                                            let _e1393 = vec3(_e1388);
-                                                                            phi_1887_ = select(_e1180, _e1206, _e1388);
-                                                                            phi_1888_ = select(_e1177, _e1203, _e1388);
-                                                                            phi_1889_ = select(_e1206, _e1193, _e1388);
-                                                                            phi_1890_ = select(_e1203, _e1190, _e1388);
-                                                                            phi_1891_ = select(_e1331, _e1330, _e1393);
-                                                                            phi_1892_ = select(_e1339, _e1335, _e1393);
-                                                                            phi_1893_ = select(_e1335, _e1343, _e1393);
-                                                                            phi_1894_ = select(_e1343, _e1339, _e1393);
+                                                                            let _e1016 = (_e997 == _e1014);
+                                                                            let _e1021 = vec3(_e1016);
+                                                                            phi_1887_ = select(_e808, _e834, _e1016);
+                                                                            phi_1888_ = select(_e805, _e831, _e1016);
+                                                                            phi_1889_ = select(_e834, _e821, _e1016);
+                                                                            phi_1890_ = select(_e831, _e818, _e1016);
+                                                                            phi_1891_ = select(_e959, _e958, _e1021);
+                                                                            phi_1892_ = select(_e967, _e963, _e1021);
+                                                                            phi_1893_ = select(_e963, _e971, _e1021);
+                                                                            phi_1894_ = select(_e971, _e967, _e1021);
                                                                         }
-                                                                        let _e1399 = phi_1887_;
-                                                                        let _e1401 = phi_1888_;
-                                                                        let _e1403 = phi_1889_;
-                                                                        let _e1405 = phi_1890_;
-                                                                        let _e1407 = phi_1891_;
-                                                                        let _e1409 = phi_1892_;
-                                                                        let _e1411 = phi_1893_;
-                                                                        let _e1413 = phi_1894_;
-                                                                        let _e1420 = ((_e1411.y * _e1409.z) - (_e1409.y * _e1411.z));
-                                                                        let _e1425 = ((_e1411.z * _e1409.x) - (_e1409.z * _e1411.x));
-                                                                        let _e1428 = ((_e1411.x * _e1409.y) - (_e1409.x * _e1411.y));
-                                                                        if (_e1228 >= _e1232) {
-                                                                            phi_1931_ = select(true, false, (_e1228 >= _e1236));
+                                                                        let _e1027 = phi_1887_;
+                                                                        let _e1029 = phi_1888_;
+                                                                        let _e1031 = phi_1889_;
+                                                                        let _e1033 = phi_1890_;
+                                                                        let _e1035 = phi_1891_;
+                                                                        let _e1037 = phi_1892_;
+                                                                        let _e1039 = phi_1893_;
+                                                                        let _e1041 = phi_1894_;
+                                                                        let _e1048 = ((_e1039.y * _e1037.z) - (_e1037.y * _e1039.z));
+                                                                        let _e1053 = ((_e1039.z * _e1037.x) - (_e1037.z * _e1039.x));
+                                                                        let _e1056 = ((_e1039.x * _e1037.y) - (_e1037.x * _e1039.y));
+                                                                        if (_e856 >= _e860) {
+                                                                            phi_1931_ = select(true, false, (_e856 >= _e864));
                                                                         } else {
                                                                             phi_1931_ = true;
                                                                         }
-                                                                        let _e1433 = phi_1931_;
-                                                                        if _e1433 {
-                                                                            phi_1940_ = select(_e1331, _e1330, vec3((_e1232 >= _e1236)));
+                                                                        let _e1061 = phi_1931_;
+                                                                        if _e1061 {
+                                                                            phi_1940_ = select(_e959, _e958, vec3((_e860 >= _e864)));
                                                                         } else {
-                                                                            phi_1940_ = _e1329;
+                                                                            phi_1940_ = _e957;
                                                                         }
-                                                                        let _e1438 = phi_1940_;
-                                                                        let _e1449 = (((_e1420 * (_e1438.x - _e310)) + (_e1425 * (_e1438.y - _e379))) + (_e1428 * (_e1438.z - _e447)));
-                                                                        let _e1454 = (((_e1420 * _e350) + (_e1425 * _e418)) + (_e1428 * _e486));
-                                                                        let _e1455 = (_e1401 - _e1405);
-                                                                        let _e1456 = (_e1399 - _e1403);
-                                                                        let _e1464 = (-(((_e1405 * _e1455) + (_e1403 * _e1456))) / ((_e1455 * _e1455) + (_e1456 * _e1456)));
-                                                                        let _e1466 = select(1f, _e1464, (_e1464 < 1f));
-                                                                        let _e1468 = select(0f, _e1466, (_e1466 > 0f));
-                                                                        let _e1481 = ((_e1407.x + (_e1413.x * _e1468)) - _e310);
-                                                                        let _e1482 = ((_e1407.y + (_e1413.y * _e1468)) - _e379);
-                                                                        let _e1483 = ((_e1407.z + (_e1413.z * _e1468)) - _e447);
-                                                                        let _e1484 = (_e1483 / _e486);
-                                                                        let _e1496 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
-                                                                        let _e1499 = bitcast<f32>((bitcast<u32>(_e1482) & 2147483647u));
-                                                                        let _e1501 = select(_e1499, _e1496, (_e1496 > _e1499));
-                                                                        let _e1504 = bitcast<f32>((bitcast<u32>(_e1483) & 2147483647u));
-                                                                        let _e1506 = select(_e1504, _e1501, (_e1501 > _e1504));
-                                                                        let _e1512 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
-                                                                        let _e1515 = bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u));
-                                                                        let _e1517 = select(_e1515, _e1512, (_e1512 > _e1515));
-                                                                        let _e1520 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1420 * _e1481) + (_e1425 * _e1482)) + (_e1428 * _e1483)) - _e1449)) & 2147483647u)) <= ((0.0000009536743f * select(_e1386, _e1506, (_e1506 > _e1386))) * select(_e1520, _e1517, (_e1517 > _e1520)))) {
-                                                                            let _e1530 = bitcast<f32>((bitcast<u32>(_e1411.x) & 2147483647u));
-                                                                            let _e1533 = bitcast<f32>((bitcast<u32>(_e1411.y) & 2147483647u));
-                                                                            let _e1535 = select(_e1533, _e1530, (_e1530 > _e1533));
-                                                                            let _e1538 = bitcast<f32>((bitcast<u32>(_e1411.z) & 2147483647u));
-                                                                            let _e1544 = bitcast<f32>((bitcast<u32>(_e1409.x) & 2147483647u));
-                                                                            let _e1547 = bitcast<f32>((bitcast<u32>(_e1409.y) & 2147483647u));
-                                                                            let _e1549 = select(_e1547, _e1544, (_e1544 > _e1547));
-                                                                            let _e1552 = bitcast<f32>((bitcast<u32>(_e1409.z) & 2147483647u));
-                                                                            let _e1556 = (bitcast<f32>((bitcast<u32>(_e1454) & 2147483647u)) > ((0.0000038146973f * select(_e1538, _e1535, (_e1535 > _e1538))) * select(_e1552, _e1549, (_e1549 > _e1552))));
-                                                                            if _e1556 {
-                                                                                phi_2105_ = (_e1449 / _e1454);
+                                                                        let _e1066 = phi_1940_;
+                                                                        let _e1077 = (((_e1048 * (_e1066.x - _e310)) + (_e1053 * (_e1066.y - _e379))) + (_e1056 * (_e1066.z - _e447)));
+                                                                        let _e1082 = (((_e1048 * _e350) + (_e1053 * _e418)) + (_e1056 * _e486));
+                                                                        let _e1083 = (_e1029 - _e1033);
+                                                                        let _e1084 = (_e1027 - _e1031);
+                                                                        let _e1092 = (-(((_e1033 * _e1083) + (_e1031 * _e1084))) / ((_e1083 * _e1083) + (_e1084 * _e1084)));
+                                                                        let _e1094 = select(1f, _e1092, (_e1092 < 1f));
+                                                                        let _e1096 = select(0f, _e1094, (_e1094 > 0f));
+                                                                        let _e1109 = ((_e1035.x + (_e1041.x * _e1096)) - _e310);
+                                                                        let _e1110 = ((_e1035.y + (_e1041.y * _e1096)) - _e379);
+                                                                        let _e1111 = ((_e1035.z + (_e1041.z * _e1096)) - _e447);
+                                                                        let _e1112 = (_e1111 / _e486);
+                                                                        let _e1124 = bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u));
+                                                                        let _e1127 = bitcast<f32>((bitcast<u32>(_e1110) & 2147483647u));
+                                                                        let _e1129 = select(_e1127, _e1124, (_e1124 > _e1127));
+                                                                        let _e1132 = bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u));
+                                                                        let _e1134 = select(_e1132, _e1129, (_e1129 > _e1132));
+                                                                        let _e1140 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
+                                                                        let _e1143 = bitcast<f32>((bitcast<u32>(_e1053) & 2147483647u));
+                                                                        let _e1145 = select(_e1143, _e1140, (_e1140 > _e1143));
+                                                                        let _e1148 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1048 * _e1109) + (_e1053 * _e1110)) + (_e1056 * _e1111)) - _e1077)) & 2147483647u)) <= ((0.0000009536743f * select(_e1014, _e1134, (_e1134 > _e1014))) * select(_e1148, _e1145, (_e1145 > _e1148)))) {
+                                                                            let _e1158 = bitcast<f32>((bitcast<u32>(_e1039.x) & 2147483647u));
+                                                                            let _e1161 = bitcast<f32>((bitcast<u32>(_e1039.y) & 2147483647u));
+                                                                            let _e1163 = select(_e1161, _e1158, (_e1158 > _e1161));
+                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1039.z) & 2147483647u));
+                                                                            let _e1172 = bitcast<f32>((bitcast<u32>(_e1037.x) & 2147483647u));
+                                                                            let _e1175 = bitcast<f32>((bitcast<u32>(_e1037.y) & 2147483647u));
+                                                                            let _e1177 = select(_e1175, _e1172, (_e1172 > _e1175));
+                                                                            let _e1180 = bitcast<f32>((bitcast<u32>(_e1037.z) & 2147483647u));
+                                                                            let _e1184 = (bitcast<f32>((bitcast<u32>(_e1082) & 2147483647u)) > ((0.0000038146973f * select(_e1166, _e1163, (_e1163 > _e1166))) * select(_e1180, _e1177, (_e1177 > _e1180))));
+                                                                            if _e1184 {
+                                                                                phi_2105_ = (_e1077 / _e1082);
                                                                             } else {
                                                                                 phi_2105_ = f32();
                                                                             }
-                                                                            let _e1559 = phi_2105_;
-                                                                            phi_2107_ = _e1559;
-                                                                            phi_2108_ = select(true, false, _e1556);
+                                                                            let _e1187 = phi_2105_;
+                                                                            phi_2107_ = _e1187;
+                                                                            phi_2108_ = select(true, false, _e1184);
                                                                         } else {
                                                                             phi_2107_ = f32();
                                                                             phi_2108_ = true;
                                                                         }
-                                                                        let _e1562 = phi_2107_;
-                                                                        let _e1564 = phi_2108_;
-                                                                        if _e1564 {
-                                                                            let _e1572 = (((_e1420 * (_e1481 - (_e350 * _e1484))) + (_e1425 * (_e1482 - (_e418 * _e1484)))) / _e1454);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1572) & 2147483647u)) <= _e1386) {
-                                                                                phi_2128_ = (_e1484 + _e1572);
+                                                                        let _e1190 = phi_2107_;
+                                                                        let _e1192 = phi_2108_;
+                                                                        if _e1192 {
+                                                                            let _e1200 = (((_e1048 * (_e1109 - (_e350 * _e1112))) + (_e1053 * (_e1110 - (_e418 * _e1112)))) / _e1082);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u)) <= _e1014) {
+                                                                                phi_2128_ = (_e1112 + _e1200);
                                                                             } else {
-                                                                                phi_2128_ = _e1484;
+                                                                                phi_2128_ = _e1112;
                                                                             }
-                                                                            let _e1579 = phi_2128_;
-                                                                            phi_2129_ = _e1579;
+                                                                            let _e1207 = phi_2128_;
+                                                                            phi_2129_ = _e1207;
                                                                         } else {
-                                                                            phi_2129_ = _e1562;
+                                                                            phi_2129_ = _e1190;
                                                                         }
-                                                                        let _e1581 = phi_2129_;
-                                                                        let _e1583 = select(_e1319, _e1581, (_e1581 < _e1319));
-                                                                        let _e1585 = select(_e1311, _e1583, (_e1583 > _e1311));
-                                                                        if (_e1585 >= _e601) {
-                                                                            let _e1587 = (_e1585 <= _e1063.member.member_1);
-                                                                            if _e1587 {
-                                                                                let _e1588 = (1f / _e1238);
-                                                                                phi_2152_ = type_25(_e1585, (_e1232 * _e1588), (_e1236 * _e1588), _e1098);
+                                                                        let _e1209 = phi_2129_;
+                                                                        let _e1211 = select(_e947, _e1209, (_e1209 < _e947));
+                                                                        let _e1213 = select(_e939, _e1211, (_e1211 > _e939));
+                                                                        if (_e1213 >= _e601) {
+                                                                            let _e1215 = (_e1213 <= _e691.member.member_1);
+                                                                            if _e1215 {
+                                                                                let _e1216 = (1f / _e866);
+                                                                                phi_2152_ = type_25(_e1213, (_e860 * _e1216), (_e864 * _e1216), _e726);
                                                                             } else {
                                                                                 phi_2152_ = type_25();
                                                                             }
-                                                                            let _e1593 = phi_2152_;
-                                                                            phi_2154_ = _e1593;
-                                                                            phi_2155_ = select(true, false, _e1587);
+                                                                            let _e1221 = phi_2152_;
+                                                                            phi_2154_ = _e1221;
+                                                                            phi_2155_ = select(true, false, _e1215);
                                                                         } else {
                                                                             phi_2154_ = type_25();
                                                                             phi_2155_ = true;
                                                                         }
-                                                                        let _e1596 = phi_2154_;
-                                                                        let _e1598 = phi_2155_;
-                                                                        if _e1598 {
+                                                                        let _e1224 = phi_2154_;
+                                                                        let _e1226 = phi_2155_;
+                                                                        if _e1226 {
                                                                             phi_2159_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2159_ = _e1596;
+                                                                            phi_2159_ = _e1224;
                                                                         }
-                                                                        let _e1600 = phi_2159_;
-                                                                        phi_2160_ = _e1600;
+                                                                        let _e1228 = phi_2159_;
+                                                                        phi_2160_ = _e1228;
                                                                     }
-                                                                    let _e1602 = phi_2160_;
-                                                                    phi_2161_ = _e1602;
-                                                                    phi_2162_ = _e1328;
+                                                                    let _e1230 = phi_2160_;
+                                                                    phi_2161_ = _e1230;
+                                                                    phi_2162_ = _e956;
                                                                 }
-                                                                let _e1604 = phi_2161_;
-                                                                let _e1606 = phi_2162_;
-                                                                phi_2166_ = _e1604;
-                                                                phi_2167_ = _e1606;
+                                                                let _e1232 = phi_2161_;
+                                                                let _e1234 = phi_2162_;
+                                                                phi_2166_ = _e1232;
+                                                                phi_2167_ = _e1234;
                                                             }
-                                                            let _e1608 = phi_2166_;
-                                                            let _e1610 = phi_2167_;
-                                                            phi_2168_ = _e1608;
-                                                            phi_2169_ = _e1263;
-                                                            phi_2170_ = _e1610;
+                                                            let _e1236 = phi_2166_;
+                                                            let _e1238 = phi_2167_;
+                                                            phi_2168_ = _e1236;
+                                                            phi_2169_ = _e891;
+                                                            phi_2170_ = _e1238;
                                                         }
-                                                        let _e1612 = phi_2168_;
-                                                        let _e1614 = phi_2169_;
-                                                        let _e1616 = phi_2170_;
-                                                        phi_2171_ = _e1612;
-                                                        phi_2172_ = _e1614;
-                                                        phi_2173_ = _e1616;
+                                                        let _e1240 = phi_2168_;
+                                                        let _e1242 = phi_2169_;
+                                                        let _e1244 = phi_2170_;
+                                                        phi_2171_ = _e1240;
+                                                        phi_2172_ = _e1242;
+                                                        phi_2173_ = _e1244;
                                                     }
-                                                    let _e1618 = phi_2171_;
-                                                    let _e1620 = phi_2172_;
-                                                    let _e1622 = phi_2173_;
-                                                    phi_2181_ = _e1618;
-                                                    phi_2182_ = select(_e1622, true, _e1620);
+                                                    let _e1246 = phi_2171_;
+                                                    let _e1248 = phi_2172_;
+                                                    let _e1250 = phi_2173_;
+                                                    phi_2181_ = _e1246;
+                                                    phi_2182_ = select(_e1250, true, _e1248);
                                                 } else {
                                                     phi_2181_ = type_25();
                                                     phi_2182_ = true;
                                                 }
-                                                let _e1625 = phi_2181_;
-                                                let _e1627 = phi_2182_;
-                                                if _e1627 {
+                                                let _e1253 = phi_2181_;
+                                                let _e1255 = phi_2182_;
+                                                if _e1255 {
                                                     phi_2186_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2186_ = _e1625;
+                                                    phi_2186_ = _e1253;
                                                 }
-                                                let _e1629 = phi_2186_;
-                                                if (_e1629.member_3 != 4294967295u) {
-                                                    if (_e1098 != 4294967295u) {
-                                                        if (_e1629.member < _e1063.member.member.member) {
+                                                let _e1257 = phi_2186_;
+                                                if (_e1257.member_3 != 4294967295u) {
+                                                    if (_e726 != 4294967295u) {
+                                                        if (_e1257.member < _e691.member.member.member) {
                                                             phi_2212_ = true;
                                                         } else {
-                                                            if (_e1629.member == _e1063.member.member.member) {
-                                                                phi_2211_ = (_e1629.member_3 < _e1063.member.member.member_3);
+                                                            if (_e1257.member == _e691.member.member.member) {
+                                                                phi_2211_ = (_e1257.member_3 < _e691.member.member.member_3);
                                                             } else {
                                                                 phi_2211_ = false;
                                                             }
-                                                            let _e1644 = phi_2211_;
-                                                            phi_2212_ = _e1644;
+                                                            let _e1272 = phi_2211_;
+                                                            phi_2212_ = _e1272;
                                                         }
-                                                        let _e1646 = phi_2212_;
-                                                        if _e1646 {
-                                                            phi_2219_ = type_38(type_32(_e1629, _e1629.member), _e1090.member_1, _e1090.member_2);
+                                                        let _e1274 = phi_2212_;
+                                                        if _e1274 {
+                                                            phi_2219_ = type_38(type_32(_e1257, _e1257.member), _e718.member_1, _e718.member_2);
                                                         } else {
-                                                            phi_2219_ = _e1090;
+                                                            phi_2219_ = _e718;
                                                         }
-                                                        let _e1653 = phi_2219_;
-                                                        phi_2220_ = _e1653;
+                                                        let _e1281 = phi_2219_;
+                                                        phi_2220_ = _e1281;
                                                     } else {
-                                                        phi_2220_ = _e1090;
+                                                        phi_2220_ = _e718;
                                                     }
-                                                    let _e1655 = phi_2220_;
-                                                    phi_2221_ = _e1655;
+                                                    let _e1283 = phi_2220_;
+                                                    phi_2221_ = _e1283;
                                                 } else {
-                                                    phi_2221_ = _e1090;
+                                                    phi_2221_ = _e718;
                                                 }
-                                                let _e1657 = phi_2221_;
-                                                phi_1146_ = _e1657;
+                                                let _e1285 = phi_2221_;
+                                                phi_1146_ = _e1285;
                                             } else {
                                                 phi_1146_ = type_38();
                                             }
-                                            let _e1659 = phi_1146_;
+                                            let _e1287 = phi_1146_;
                                             continue;
                                             continuing {
-                                                phi_1145_ = _e1659;
-                                                phi_1148_ = _e1078;
-                                                phi_3306_ = _e634;
-                                                break if !(_e1084);
+                                                phi_1145_ = _e1287;
+                                                phi_1148_ = _e706;
+                                                phi_3312_ = _e634;
+                                                break if !(_e712);
                                             }
                                         }
-                                        let _e1662 = phi_3306_;
-                                        phi_3466_ = _e1662;
-                                        if _e1662 {
+                                        let _e1290 = phi_3312_;
+                                        phi_3472_ = _e1290;
+                                        if _e1290 {
                                             break;
                                         }
-                                        phi_3470_ = _e1662;
-                                        let _e1833 = local_12;
-                                        phi_3238_ = _e1833;
-                                        phi_3239_ = false;
-                                        phi_3240_ = _e678;
-                                        phi_3241_ = _e680;
+                                        phi_3531_ = _e1290;
+                                        let _e1829 = local_12;
+                                        phi_2222_ = _e1829;
                                     } else {
-                                        let _e689 = (_e680.member_1 < _e84);
-                                        if _e689 {
-                                            if _e689 {
+                                        phi_3531_ = _e634;
+                                        phi_2222_ = _e636;
+                                    }
+                                    let _e1292 = phi_3531_;
+                                    let _e1294 = phi_2222_;
+                                    if _e684 {
+                                        phi_3233_ = type_38();
+                                        phi_3234_ = bool();
+                                        phi_3235_ = u32();
+                                        phi_3236_ = type_49();
+                                    } else {
+                                        let _e1295 = (_e680.member_1 < _e84);
+                                        if _e1295 {
+                                            if _e1295 {
                                             } else {
-                                                phi_3466_ = true;
+                                                phi_3472_ = true;
                                                 break;
                                             }
-                                            let _e691 = global_5.member[_e680.member_1];
-                                            phi_2247_ = _e691;
+                                            let _e1297 = global_5.member[_e680.member_1];
+                                            phi_2243_ = _e1297;
                                         } else {
-                                            phi_2247_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2243_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e693 = phi_2247_;
-                                        let _e708 = ((10u * _e246) & 31u);
-                                        let _e711 = ((_e693.member[0] >> bitcast<u32>(_e708)) & 1023u);
-                                        let _e719 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e118));
-                                        let _e724 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e711)) - 8388608f) * _e719)) ^ _e118)));
-                                        let _e728 = select(select(_e680.member.member_1[0], _e724, (_e724 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e711 == 1023u));
-                                        let _e730 = ((10u * _e245) & 31u);
-                                        let _e733 = ((_e693.member[0] >> bitcast<u32>(_e730)) & 1023u);
-                                        let _e741 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e118));
-                                        let _e746 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e733)) - 8388608f) * _e741)) ^ _e118)));
-                                        let _e750 = select(select(_e680.member.member_1[1], _e746, (_e746 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e733 == 1023u));
-                                        let _e752 = ((10u * _e247) & 31u);
-                                        let _e755 = ((_e693.member[0] >> bitcast<u32>(_e752)) & 1023u);
-                                        let _e763 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e118));
-                                        let _e768 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e755)) - 8388608f) * _e763)) ^ _e118)));
-                                        let _e772 = select(select(_e680.member.member_1[2], _e768, (_e768 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e755 == 1023u));
-                                        let _e775 = ((_e693.member[1] >> bitcast<u32>(_e708)) & 1023u);
-                                        let _e783 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e775)) - 8388608f) * _e719)) ^ _e118)));
-                                        let _e787 = select(select(_e680.member.member_1[0], _e783, (_e783 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e775 == 1023u));
-                                        let _e790 = ((_e693.member[1] >> bitcast<u32>(_e730)) & 1023u);
-                                        let _e798 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e790)) - 8388608f) * _e741)) ^ _e118)));
-                                        let _e802 = select(select(_e680.member.member_1[1], _e798, (_e798 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e790 == 1023u));
-                                        let _e805 = ((_e693.member[1] >> bitcast<u32>(_e752)) & 1023u);
-                                        let _e813 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e805)) - 8388608f) * _e763)) ^ _e118)));
-                                        let _e817 = select(select(_e680.member.member_1[2], _e813, (_e813 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e805 == 1023u));
-                                        let _e823 = ((_e693.member_1[0] >> bitcast<u32>(_e708)) & 1023u);
-                                        let _e831 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e823)) - 8388608f) * _e719)) ^ _e118)));
-                                        let _e835 = select(select(_e680.member.member_1[0], _e831, (_e831 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e823 == 1023u));
-                                        let _e838 = ((_e693.member_1[0] >> bitcast<u32>(_e730)) & 1023u);
-                                        let _e846 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e838)) - 8388608f) * _e741)) ^ _e118)));
-                                        let _e850 = select(select(_e680.member.member_1[1], _e846, (_e846 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e838 == 1023u));
-                                        let _e853 = ((_e693.member_1[0] >> bitcast<u32>(_e752)) & 1023u);
-                                        let _e861 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e853)) - 8388608f) * _e763)) ^ _e118)));
-                                        let _e865 = select(select(_e680.member.member_1[2], _e861, (_e861 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e853 == 1023u));
-                                        let _e868 = ((_e693.member_1[1] >> bitcast<u32>(_e708)) & 1023u);
-                                        let _e876 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e868)) - 8388608f) * _e719)) ^ _e118)));
-                                        let _e880 = select(select(_e680.member.member_1[0], _e876, (_e876 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e868 == 1023u));
-                                        let _e883 = ((_e693.member_1[1] >> bitcast<u32>(_e730)) & 1023u);
-                                        let _e891 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e883)) - 8388608f) * _e741)) ^ _e118)));
-                                        let _e895 = select(select(_e680.member.member_1[1], _e891, (_e891 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e883 == 1023u));
-                                        let _e898 = ((_e693.member_1[1] >> bitcast<u32>(_e752)) & 1023u);
-                                        let _e906 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e898)) - 8388608f) * _e763)) ^ _e118)));
-                                        let _e910 = select(select(_e680.member.member_1[2], _e906, (_e906 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e898 == 1023u));
-                                        let _e915 = type_49(type_47(array<f32, 3>(_e728, _e750, _e772), array<f32, 3>(_e787, _e802, _e817)), _e693.member_2);
-                                        let _e920 = type_49(type_47(array<f32, 3>(_e835, _e850, _e865), array<f32, 3>(_e880, _e895, _e910)), _e693.member_3);
-                                        let _e933 = ((_e728 - _e348) * _e353);
-                                        let _e934 = ((_e835 - _e348) * _e353);
-                                        let _e935 = ((_e787 - _e349) * _e353);
-                                        let _e936 = ((_e880 - _e349) * _e353);
-                                        let _e941 = ((_e750 - _e416) * _e421);
-                                        let _e942 = ((_e850 - _e416) * _e421);
-                                        let _e943 = ((_e802 - _e417) * _e421);
-                                        let _e944 = ((_e895 - _e417) * _e421);
-                                        let _e949 = ((_e772 - _e484) * _e489);
-                                        let _e950 = ((_e865 - _e484) * _e489);
-                                        let _e951 = ((_e817 - _e485) * _e489);
-                                        let _e952 = ((_e910 - _e485) * _e489);
-                                        let _e954 = select(_e951, _e949, (_e949 < _e951));
-                                        let _e956 = select(_e952, _e950, (_e950 < _e952));
-                                        let _e958 = select(_e951, _e949, (_e949 > _e951));
-                                        let _e960 = select(_e952, _e950, (_e950 > _e952));
-                                        let _e962 = select(_e935, _e933, (_e933 < _e935));
-                                        let _e964 = select(_e936, _e934, (_e934 < _e936));
-                                        let _e966 = select(_e943, _e941, (_e941 < _e943));
-                                        let _e968 = select(_e944, _e942, (_e942 < _e944));
-                                        let _e970 = select(_e966, _e962, (_e962 > _e966));
-                                        let _e972 = select(_e968, _e964, (_e964 > _e968));
-                                        let _e974 = select(_e954, _e970, (_e970 > _e954));
-                                        let _e976 = select(_e956, _e972, (_e972 > _e956));
-                                        let _e978 = select(_e935, _e933, (_e933 > _e935));
-                                        let _e980 = select(_e936, _e934, (_e934 > _e936));
-                                        let _e982 = select(_e943, _e941, (_e941 > _e943));
-                                        let _e984 = select(_e944, _e942, (_e942 > _e944));
-                                        let _e986 = select(_e982, _e978, (_e978 < _e982));
-                                        let _e988 = select(_e984, _e980, (_e980 < _e984));
-                                        let _e993 = -(_e954);
-                                        let _e994 = -(_e956);
-                                        let _e1001 = (select(_e958, _e986, (_e986 < _e958)) + (select(_e993, _e958, (_e958 > _e993)) * 0.0000019073523f));
-                                        let _e1002 = (select(_e960, _e988, (_e988 < _e960)) + (select(_e994, _e960, (_e960 > _e994)) * 0.0000019073523f));
-                                        let _e1004 = select(_e601, _e974, (_e974 > _e601));
-                                        let _e1006 = select(_e601, _e976, (_e976 > _e601));
-                                        let _e1011 = (_e1004 <= select(_e636.member.member_1, _e1001, (_e1001 < _e636.member.member_1)));
-                                        let _e1012 = (_e1006 <= select(_e636.member.member_1, _e1002, (_e1002 < _e636.member.member_1)));
-                                        let _e1013 = (_e1004 <= _e1006);
-                                        if _e1011 {
-                                            if _e1012 {
-                                                if _e1013 {
-                                                    phi_3136_ = _e920;
+                                        let _e1299 = phi_2243_;
+                                        let _e1314 = ((10u * _e246) & 31u);
+                                        let _e1317 = ((_e1299.member[0] >> bitcast<u32>(_e1314)) & 1023u);
+                                        let _e1325 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e118));
+                                        let _e1330 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1317)) - 8388608f) * _e1325)) ^ _e118)));
+                                        let _e1334 = select(select(_e680.member.member_1[0], _e1330, (_e1330 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1317 == 1023u));
+                                        let _e1336 = ((10u * _e245) & 31u);
+                                        let _e1339 = ((_e1299.member[0] >> bitcast<u32>(_e1336)) & 1023u);
+                                        let _e1347 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e118));
+                                        let _e1352 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1339)) - 8388608f) * _e1347)) ^ _e118)));
+                                        let _e1356 = select(select(_e680.member.member_1[1], _e1352, (_e1352 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1339 == 1023u));
+                                        let _e1358 = ((10u * _e247) & 31u);
+                                        let _e1361 = ((_e1299.member[0] >> bitcast<u32>(_e1358)) & 1023u);
+                                        let _e1369 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e118));
+                                        let _e1374 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1361)) - 8388608f) * _e1369)) ^ _e118)));
+                                        let _e1378 = select(select(_e680.member.member_1[2], _e1374, (_e1374 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1361 == 1023u));
+                                        let _e1381 = ((_e1299.member[1] >> bitcast<u32>(_e1314)) & 1023u);
+                                        let _e1389 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1381)) - 8388608f) * _e1325)) ^ _e118)));
+                                        let _e1393 = select(select(_e680.member.member_1[0], _e1389, (_e1389 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1381 == 1023u));
+                                        let _e1396 = ((_e1299.member[1] >> bitcast<u32>(_e1336)) & 1023u);
+                                        let _e1404 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1396)) - 8388608f) * _e1347)) ^ _e118)));
+                                        let _e1408 = select(select(_e680.member.member_1[1], _e1404, (_e1404 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1396 == 1023u));
+                                        let _e1411 = ((_e1299.member[1] >> bitcast<u32>(_e1358)) & 1023u);
+                                        let _e1419 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1411)) - 8388608f) * _e1369)) ^ _e118)));
+                                        let _e1423 = select(select(_e680.member.member_1[2], _e1419, (_e1419 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1411 == 1023u));
+                                        let _e1429 = ((_e1299.member_1[0] >> bitcast<u32>(_e1314)) & 1023u);
+                                        let _e1437 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1429)) - 8388608f) * _e1325)) ^ _e118)));
+                                        let _e1441 = select(select(_e680.member.member_1[0], _e1437, (_e1437 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1429 == 1023u));
+                                        let _e1444 = ((_e1299.member_1[0] >> bitcast<u32>(_e1336)) & 1023u);
+                                        let _e1452 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1444)) - 8388608f) * _e1347)) ^ _e118)));
+                                        let _e1456 = select(select(_e680.member.member_1[1], _e1452, (_e1452 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1444 == 1023u));
+                                        let _e1459 = ((_e1299.member_1[0] >> bitcast<u32>(_e1358)) & 1023u);
+                                        let _e1467 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1459)) - 8388608f) * _e1369)) ^ _e118)));
+                                        let _e1471 = select(select(_e680.member.member_1[2], _e1467, (_e1467 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1459 == 1023u));
+                                        let _e1474 = ((_e1299.member_1[1] >> bitcast<u32>(_e1314)) & 1023u);
+                                        let _e1482 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1474)) - 8388608f) * _e1325)) ^ _e118)));
+                                        let _e1486 = select(select(_e680.member.member_1[0], _e1482, (_e1482 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1474 == 1023u));
+                                        let _e1489 = ((_e1299.member_1[1] >> bitcast<u32>(_e1336)) & 1023u);
+                                        let _e1497 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1489)) - 8388608f) * _e1347)) ^ _e118)));
+                                        let _e1501 = select(select(_e680.member.member_1[1], _e1497, (_e1497 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1489 == 1023u));
+                                        let _e1504 = ((_e1299.member_1[1] >> bitcast<u32>(_e1358)) & 1023u);
+                                        let _e1512 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1504)) - 8388608f) * _e1369)) ^ _e118)));
+                                        let _e1516 = select(select(_e680.member.member_1[2], _e1512, (_e1512 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1504 == 1023u));
+                                        let _e1521 = type_49(type_47(array<f32, 3>(_e1334, _e1356, _e1378), array<f32, 3>(_e1393, _e1408, _e1423)), _e1299.member_2);
+                                        let _e1526 = type_49(type_47(array<f32, 3>(_e1441, _e1456, _e1471), array<f32, 3>(_e1486, _e1501, _e1516)), _e1299.member_3);
+                                        let _e1539 = ((_e1334 - _e348) * _e353);
+                                        let _e1540 = ((_e1441 - _e348) * _e353);
+                                        let _e1541 = ((_e1393 - _e349) * _e353);
+                                        let _e1542 = ((_e1486 - _e349) * _e353);
+                                        let _e1547 = ((_e1356 - _e416) * _e421);
+                                        let _e1548 = ((_e1456 - _e416) * _e421);
+                                        let _e1549 = ((_e1408 - _e417) * _e421);
+                                        let _e1550 = ((_e1501 - _e417) * _e421);
+                                        let _e1555 = ((_e1378 - _e484) * _e489);
+                                        let _e1556 = ((_e1471 - _e484) * _e489);
+                                        let _e1557 = ((_e1423 - _e485) * _e489);
+                                        let _e1558 = ((_e1516 - _e485) * _e489);
+                                        let _e1560 = select(_e1557, _e1555, (_e1555 < _e1557));
+                                        let _e1562 = select(_e1558, _e1556, (_e1556 < _e1558));
+                                        let _e1564 = select(_e1557, _e1555, (_e1555 > _e1557));
+                                        let _e1566 = select(_e1558, _e1556, (_e1556 > _e1558));
+                                        let _e1568 = select(_e1541, _e1539, (_e1539 < _e1541));
+                                        let _e1570 = select(_e1542, _e1540, (_e1540 < _e1542));
+                                        let _e1572 = select(_e1549, _e1547, (_e1547 < _e1549));
+                                        let _e1574 = select(_e1550, _e1548, (_e1548 < _e1550));
+                                        let _e1576 = select(_e1572, _e1568, (_e1568 > _e1572));
+                                        let _e1578 = select(_e1574, _e1570, (_e1570 > _e1574));
+                                        let _e1580 = select(_e1560, _e1576, (_e1576 > _e1560));
+                                        let _e1582 = select(_e1562, _e1578, (_e1578 > _e1562));
+                                        let _e1584 = select(_e1541, _e1539, (_e1539 > _e1541));
+                                        let _e1586 = select(_e1542, _e1540, (_e1540 > _e1542));
+                                        let _e1588 = select(_e1549, _e1547, (_e1547 > _e1549));
+                                        let _e1590 = select(_e1550, _e1548, (_e1548 > _e1550));
+                                        let _e1592 = select(_e1588, _e1584, (_e1584 < _e1588));
+                                        let _e1594 = select(_e1590, _e1586, (_e1586 < _e1590));
+                                        let _e1599 = -(_e1560);
+                                        let _e1600 = -(_e1562);
+                                        let _e1607 = (select(_e1564, _e1592, (_e1592 < _e1564)) + (select(_e1599, _e1564, (_e1564 > _e1599)) * 0.0000019073523f));
+                                        let _e1608 = (select(_e1566, _e1594, (_e1594 < _e1566)) + (select(_e1600, _e1566, (_e1566 > _e1600)) * 0.0000019073523f));
+                                        let _e1610 = select(_e601, _e1580, (_e1580 > _e601));
+                                        let _e1612 = select(_e601, _e1582, (_e1582 > _e601));
+                                        let _e1617 = (_e1610 <= select(_e1294.member.member_1, _e1607, (_e1607 < _e1294.member.member_1)));
+                                        let _e1618 = (_e1612 <= select(_e1294.member.member_1, _e1608, (_e1608 < _e1294.member.member_1)));
+                                        let _e1619 = (_e1610 <= _e1612);
+                                        if _e1617 {
+                                            if _e1618 {
+                                                if _e1619 {
+                                                    phi_3132_ = _e1526;
                                                 } else {
-                                                    phi_3136_ = _e915;
+                                                    phi_3132_ = _e1521;
                                                 }
-                                                let _e1015 = phi_3136_;
-                                                let _e1023 = (_e678 % 128u);
-                                                let _e1024 = (_e1023 < 128u);
-                                                if _e1024 {
+                                                let _e1621 = phi_3132_;
+                                                let _e1628 = (_e678 % 128u);
+                                                let _e1629 = (_e1628 < 128u);
+                                                if _e1629 {
                                                 } else {
-                                                    phi_3466_ = true;
+                                                    phi_3472_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1023] = _e1015.member_1;
-                                                if _e1024 {
+                                                local_6[_e1628] = _e1621.member_1;
+                                                if _e1629 {
                                                 } else {
-                                                    phi_3466_ = true;
+                                                    phi_3472_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1023] = _e1015.member.member[0];
-                                                if _e1024 {
+                                                local_5[_e1628] = _e1621.member.member[0];
+                                                if _e1629 {
                                                 } else {
-                                                    phi_3466_ = true;
+                                                    phi_3472_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1023] = _e1015.member.member[1];
-                                                if _e1024 {
+                                                local_4[_e1628] = _e1621.member.member[1];
+                                                if _e1629 {
                                                 } else {
-                                                    phi_3466_ = true;
+                                                    phi_3472_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1023] = _e1015.member.member[2];
-                                                if _e1024 {
+                                                local_3[_e1628] = _e1621.member.member[2];
+                                                if _e1629 {
                                                 } else {
-                                                    phi_3466_ = true;
+                                                    phi_3472_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1023] = _e1015.member.member_1[0];
-                                                if _e1024 {
+                                                local_2[_e1628] = _e1621.member.member_1[0];
+                                                if _e1629 {
                                                 } else {
-                                                    phi_3466_ = true;
+                                                    phi_3472_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1023] = _e1015.member.member_1[1];
-                                                if _e1024 {
+                                                local_1[_e1628] = _e1621.member.member_1[1];
+                                                if _e1629 {
                                                 } else {
-                                                    phi_3466_ = true;
+                                                    phi_3472_ = true;
                                                     break;
                                                 }
-                                                local[_e1023] = _e1015.member.member_1[2];
-                                                if _e1024 {
+                                                local[_e1628] = _e1621.member.member_1[2];
+                                                if _e1629 {
                                                 } else {
-                                                    phi_3466_ = true;
+                                                    phi_3472_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1023] = select(_e1006, _e1004, !(_e1013));
-                                                if _e1013 {
-                                                    phi_3213_ = _e915;
+                                                local_7[_e1628] = select(_e1610, _e1612, _e1619);
+                                                if _e1619 {
+                                                    phi_3208_ = _e1521;
                                                 } else {
-                                                    phi_3213_ = _e920;
+                                                    phi_3208_ = _e1526;
                                                 }
-                                                let _e1041 = phi_3213_;
-                                                phi_3214_ = (_e678 + 1u);
-                                                phi_3215_ = _e1041;
+                                                let _e1646 = phi_3208_;
+                                                phi_3209_ = (_e678 + 1u);
+                                                phi_3210_ = _e1646;
                                             } else {
-                                                phi_3214_ = u32();
-                                                phi_3215_ = type_49();
+                                                phi_3209_ = u32();
+                                                phi_3210_ = type_49();
                                             }
-                                            let _e1043 = phi_3214_;
-                                            let _e1045 = phi_3215_;
-                                            phi_3217_ = _e1043;
-                                            phi_3218_ = _e1045;
-                                            phi_3219_ = select(true, false, _e1012);
+                                            let _e1648 = phi_3209_;
+                                            let _e1650 = phi_3210_;
+                                            phi_3212_ = _e1648;
+                                            phi_3213_ = _e1650;
+                                            phi_3214_ = select(true, false, _e1618);
                                         } else {
-                                            phi_3217_ = u32();
-                                            phi_3218_ = type_49();
-                                            phi_3219_ = true;
+                                            phi_3212_ = u32();
+                                            phi_3213_ = type_49();
+                                            phi_3214_ = true;
                                         }
-                                        let _e1048 = phi_3217_;
-                                        let _e1050 = phi_3218_;
-                                        let _e1052 = phi_3219_;
-                                        if _e1052 {
-                                            if _e1011 {
-                                                phi_3226_ = _e915;
+                                        let _e1653 = phi_3212_;
+                                        let _e1655 = phi_3213_;
+                                        let _e1657 = phi_3214_;
+                                        if _e1657 {
+                                            if _e1617 {
+                                                phi_3221_ = _e1521;
                                             } else {
-                                                phi_3226_ = _e920;
+                                                phi_3221_ = _e1526;
                                             }
-                                            let _e1054 = phi_3226_;
-                                            phi_3231_ = select(_e1012, true, _e1011);
-                                            phi_3233_ = _e1054;
+                                            let _e1659 = phi_3221_;
+                                            phi_3226_ = select(_e1618, true, _e1617);
+                                            phi_3228_ = _e1659;
                                         } else {
-                                            phi_3231_ = _e676;
-                                            phi_3233_ = _e1050;
+                                            phi_3226_ = _e676;
+                                            phi_3228_ = _e1655;
                                         }
-                                        let _e1057 = phi_3231_;
-                                        let _e1059 = phi_3233_;
-                                        phi_3470_ = _e634;
-                                        phi_3238_ = type_38(_e636.member, (_e636.member_1 + 1u), _e636.member_2);
-                                        phi_3239_ = _e1057;
-                                        phi_3240_ = select(_e1048, _e678, _e1052);
-                                        phi_3241_ = _e1059;
+                                        let _e1662 = phi_3226_;
+                                        let _e1664 = phi_3228_;
+                                        phi_3233_ = type_38(_e1294.member, (_e1294.member_1 + 1u), _e1294.member_2);
+                                        phi_3234_ = _e1662;
+                                        phi_3235_ = select(_e1653, _e678, _e1657);
+                                        phi_3236_ = _e1664;
                                     }
-                                    let _e1664 = phi_3470_;
-                                    let _e1666 = phi_3238_;
-                                    let _e1668 = phi_3239_;
-                                    let _e1670 = phi_3240_;
-                                    let _e1672 = phi_3241_;
-                                    phi_3469_ = _e1664;
-                                    phi_3242_ = _e1666;
-                                    phi_3243_ = _e1668;
-                                    phi_3244_ = (_e640 - 1u);
-                                    phi_3245_ = _e1670;
-                                    phi_3246_ = _e1672;
+                                    let _e1667 = phi_3233_;
+                                    let _e1669 = phi_3234_;
+                                    let _e1671 = phi_3235_;
+                                    let _e1673 = phi_3236_;
+                                    if _e684 {
+                                        phi_3244_ = _e1294;
+                                        phi_3247_ = _e680;
+                                    } else {
+                                        phi_3244_ = _e1667;
+                                        phi_3247_ = _e1673;
+                                    }
+                                    let _e1675 = phi_3244_;
+                                    let _e1677 = phi_3247_;
+                                    phi_3475_ = _e1292;
+                                    phi_3248_ = _e1675;
+                                    phi_3249_ = (_e638 - 1u);
+                                    phi_3250_ = select(_e1669, false, _e684);
+                                    phi_3251_ = select(_e1671, _e678, _e684);
+                                    phi_3252_ = _e1677;
                                 } else {
-                                    phi_3469_ = _e634;
-                                    phi_3242_ = _e636;
-                                    phi_3243_ = _e676;
-                                    phi_3244_ = _e640;
-                                    phi_3245_ = _e678;
-                                    phi_3246_ = _e680;
+                                    phi_3475_ = _e634;
+                                    phi_3248_ = _e636;
+                                    phi_3249_ = _e638;
+                                    phi_3250_ = _e676;
+                                    phi_3251_ = _e678;
+                                    phi_3252_ = _e680;
                                 }
-                                let _e1674 = phi_3469_;
-                                let _e1676 = phi_3242_;
-                                let _e1678 = phi_3243_;
-                                let _e1680 = phi_3244_;
-                                let _e1682 = phi_3245_;
-                                let _e1684 = phi_3246_;
-                                phi_3468_ = _e1674;
-                                phi_3247_ = _e1676;
-                                phi_3248_ = _e1678;
-                                phi_3249_ = _e1680;
-                                phi_3250_ = _e1682;
-                                phi_3251_ = _e1684;
+                                let _e1681 = phi_3475_;
+                                let _e1683 = phi_3248_;
+                                let _e1685 = phi_3249_;
+                                let _e1687 = phi_3250_;
+                                let _e1689 = phi_3251_;
+                                let _e1691 = phi_3252_;
+                                phi_3474_ = _e1681;
+                                phi_3253_ = _e1683;
+                                phi_3254_ = _e1685;
+                                phi_3255_ = _e1687;
+                                phi_3256_ = _e1689;
+                                phi_3257_ = _e1691;
                             } else {
-                                phi_3468_ = _e634;
-                                phi_3247_ = type_38();
-                                phi_3248_ = bool();
-                                phi_3249_ = u32();
-                                phi_3250_ = u32();
-                                phi_3251_ = type_49();
+                                phi_3474_ = _e634;
+                                phi_3253_ = type_38();
+                                phi_3254_ = u32();
+                                phi_3255_ = bool();
+                                phi_3256_ = u32();
+                                phi_3257_ = type_49();
                             }
-                            let _e1686 = phi_3468_;
-                            let _e1688 = phi_3247_;
-                            let _e1690 = phi_3248_;
-                            let _e1692 = phi_3249_;
-                            let _e1694 = phi_3250_;
-                            let _e1696 = phi_3251_;
-                            phi_3467_ = _e1686;
-                            phi_1020_ = _e1688;
-                            phi_1023_ = _e1690;
-                            phi_1025_ = _e1692;
-                            phi_1027_ = _e1694;
-                            phi_1029_ = _e1696;
-                            phi_3252_ = _e648;
+                            let _e1693 = phi_3474_;
+                            let _e1695 = phi_3253_;
+                            let _e1697 = phi_3254_;
+                            let _e1699 = phi_3255_;
+                            let _e1701 = phi_3256_;
+                            let _e1703 = phi_3257_;
+                            phi_3473_ = _e1693;
+                            phi_1020_ = _e1695;
+                            phi_1023_ = _e1697;
+                            phi_1025_ = _e1699;
+                            phi_1027_ = _e1701;
+                            phi_1029_ = _e1703;
+                            phi_3258_ = _e648;
                         } else {
-                            phi_3467_ = _e634;
+                            phi_3473_ = _e634;
                             phi_1020_ = type_38();
-                            phi_1023_ = bool();
-                            phi_1025_ = u32();
+                            phi_1023_ = u32();
+                            phi_1025_ = bool();
                             phi_1027_ = u32();
                             phi_1029_ = type_49();
-                            phi_3252_ = false;
+                            phi_3258_ = false;
                         }
-                        let _e1698 = phi_3467_;
-                        let _e1700 = phi_1020_;
-                        let _e1702 = phi_1023_;
-                        let _e1704 = phi_1025_;
-                        let _e1706 = phi_1027_;
-                        let _e1708 = phi_1029_;
-                        let _e1710 = phi_3252_;
+                        let _e1705 = phi_3473_;
+                        let _e1707 = phi_1020_;
+                        let _e1709 = phi_1023_;
+                        let _e1711 = phi_1025_;
+                        let _e1713 = phi_1027_;
+                        let _e1715 = phi_1029_;
+                        let _e1717 = phi_3258_;
                         continue;
                         continuing {
-                            phi_3312_ = _e1698;
-                            phi_1019_ = _e1700;
-                            phi_1022_ = _e1702;
-                            phi_1024_ = _e1704;
-                            phi_1026_ = _e1706;
-                            phi_1028_ = _e1708;
-                            phi_3466_ = _e1698;
-                            break if !(_e1710);
+                            phi_3318_ = _e1705;
+                            phi_1019_ = _e1707;
+                            phi_1022_ = _e1709;
+                            phi_1024_ = _e1711;
+                            phi_1026_ = _e1713;
+                            phi_1028_ = _e1715;
+                            phi_3472_ = _e1705;
+                            break if !(_e1717);
                         }
                     }
-                    let _e1713 = phi_3466_;
-                    if _e1713 {
+                    let _e1720 = phi_3472_;
+                    if _e1720 {
                         break;
                     }
-                    let _e1715 = local_10;
-                    let _e1718 = local_11;
+                    let _e1722 = local_10;
+                    let _e1725 = local_11;
                     if _e134 {
                     } else {
                         break;
                     }
-                    global_6.member[_e132][0u] = _e1715.member_1;
-                    global_6.member[_e132][1u] = _e1718.member_2;
+                    global_6.member[_e132][0u] = _e1722.member_1;
+                    global_6.member[_e132][1u] = _e1725.member_2;
                 }
             }
             break;

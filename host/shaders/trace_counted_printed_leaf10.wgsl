@@ -134,27 +134,16 @@ fn function_() {
     var phi_929_: u32;
     var phi_937_: f32;
     var phi_938_: f32;
-    var phi_3506_: bool;
+    var phi_3512_: bool;
     var phi_1022_: type_33;
-    var phi_1025_: bool;
-    var phi_1027_: u32;
+    var phi_1025_: u32;
+    var phi_1027_: bool;
     var phi_1029_: u32;
     var phi_1031_: type_50;
     var phi_1042_: bool;
     var phi_1128_: bool;
     var phi_1129_: u32;
     var phi_1130_: type_50;
-    var phi_2441_: type_37;
-    var phi_3330_: type_50;
-    var phi_3407_: type_50;
-    var phi_3408_: u32;
-    var phi_3409_: type_50;
-    var phi_3411_: u32;
-    var phi_3412_: type_50;
-    var phi_3413_: bool;
-    var phi_3420_: type_50;
-    var phi_3425_: bool;
-    var phi_3427_: type_50;
     var phi_1149_: type_33;
     var phi_1152_: type_4;
     var phi_1153_: type_4;
@@ -202,32 +191,46 @@ fn function_() {
     var phi_2414_: type_33;
     var phi_2415_: type_33;
     var phi_1150_: type_33;
-    var phi_3500_: bool;
-    var phi_3682_: bool;
-    var phi_3432_: type_33;
-    var phi_3433_: bool;
-    var phi_3434_: u32;
-    var phi_3435_: type_50;
-    var phi_3681_: bool;
-    var phi_3436_: type_33;
-    var phi_3437_: bool;
-    var phi_3438_: u32;
-    var phi_3439_: u32;
-    var phi_3440_: type_50;
-    var phi_3680_: bool;
-    var phi_3441_: type_33;
-    var phi_3442_: bool;
+    var phi_3506_: bool;
+    var phi_3743_: bool;
+    var phi_2416_: type_33;
+    var phi_2437_: type_37;
+    var phi_3326_: type_50;
+    var phi_3402_: type_50;
+    var phi_3403_: u32;
+    var phi_3404_: type_50;
+    var phi_3406_: u32;
+    var phi_3407_: type_50;
+    var phi_3408_: bool;
+    var phi_3415_: type_50;
+    var phi_3420_: bool;
+    var phi_3422_: type_50;
+    var phi_3427_: type_33;
+    var phi_3428_: bool;
+    var phi_3429_: u32;
+    var phi_3430_: type_50;
+    var phi_3438_: type_33;
+    var phi_3441_: type_50;
+    var phi_3687_: bool;
+    var phi_3442_: type_33;
     var phi_3443_: u32;
-    var phi_3444_: u32;
-    var phi_3445_: type_50;
-    var phi_3679_: bool;
+    var phi_3444_: bool;
+    var phi_3445_: u32;
+    var phi_3446_: type_50;
+    var phi_3686_: bool;
+    var phi_3447_: type_33;
+    var phi_3448_: u32;
+    var phi_3449_: bool;
+    var phi_3450_: u32;
+    var phi_3451_: type_50;
+    var phi_3685_: bool;
     var phi_1023_: type_33;
-    var phi_1026_: bool;
-    var phi_1028_: u32;
+    var phi_1026_: u32;
+    var phi_1028_: bool;
     var phi_1030_: u32;
     var phi_1032_: type_50;
-    var phi_3446_: bool;
-    var phi_3678_: bool;
+    var phi_3452_: bool;
+    var phi_3684_: bool;
     var local_10: type_33;
     var local_11: type_33;
     var local_12: type_33;
@@ -592,14 +595,14 @@ fn function_() {
                         break;
                     }
                     let _e625 = local_8[_e614];
-                    phi_3506_ = false;
+                    phi_3512_ = false;
                     phi_1022_ = type_33(type_28(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e598), 0u, 0u);
-                    phi_1025_ = (_e600 <= _e598);
-                    phi_1027_ = ((3u * _e82) + 1u);
+                    phi_1025_ = ((3u * _e82) + 1u);
+                    phi_1027_ = (_e600 <= _e598);
                     phi_1029_ = 0u;
                     phi_1031_ = type_50(type_42(array<f32, 3>(_e609, _e613, _e617), array<f32, 3>(_e621, _e623, _e625)), select(0u, 2147483648u, (_e82 == 0u)));
                     loop {
-                        let _e633 = phi_3506_;
+                        let _e633 = phi_3512_;
                         let _e635 = phi_1022_;
                         let _e637 = phi_1025_;
                         let _e639 = phi_1027_;
@@ -607,17 +610,17 @@ fn function_() {
                         let _e643 = phi_1031_;
                         local_10 = _e635;
                         local_11 = _e635;
-                        if _e637 {
+                        if _e639 {
                             phi_1042_ = true;
                         } else {
                             phi_1042_ = (_e641 > 0u);
                         }
                         let _e646 = phi_1042_;
                         if _e646 {
-                            let _e647 = (_e639 > 0u);
+                            let _e647 = (_e637 > 0u);
                             if _e647 {
-                                if _e637 {
-                                    phi_1128_ = _e637;
+                                if _e639 {
+                                    phi_1128_ = _e639;
                                     phi_1129_ = _e641;
                                     phi_1130_ = _e643;
                                 } else {
@@ -626,49 +629,49 @@ fn function_() {
                                     let _e650 = (_e649 < 128u);
                                     if _e650 {
                                     } else {
-                                        phi_3678_ = true;
+                                        phi_3684_ = true;
                                         break;
                                     }
                                     let _e652 = local_6[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3678_ = true;
+                                        phi_3684_ = true;
                                         break;
                                     }
                                     let _e654 = local_5[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3678_ = true;
+                                        phi_3684_ = true;
                                         break;
                                     }
                                     let _e656 = local_4[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3678_ = true;
+                                        phi_3684_ = true;
                                         break;
                                     }
                                     let _e658 = local_3[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3678_ = true;
+                                        phi_3684_ = true;
                                         break;
                                     }
                                     let _e661 = local_2[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3678_ = true;
+                                        phi_3684_ = true;
                                         break;
                                     }
                                     let _e663 = local_1[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3678_ = true;
+                                        phi_3684_ = true;
                                         break;
                                     }
                                     let _e665 = local[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3678_ = true;
+                                        phi_3684_ = true;
                                         break;
                                     }
                                     let _e670 = local_7[_e649];
@@ -680,717 +683,733 @@ fn function_() {
                                 let _e677 = phi_1129_;
                                 let _e679 = phi_1130_;
                                 if _e675 {
-                                    if ((_e679.member_1 & 2147483648u) != 0u) {
+                                    let _e683 = ((_e679.member_1 & 2147483648u) != 0u);
+                                    if _e683 {
                                         phi_1149_ = _e635;
                                         phi_1152_ = type_4(0u, ((_e679.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1063 = phi_1149_;
-                                            let _e1065 = phi_1152_;
-                                            local_12 = _e1063;
-                                            if (_e1065.member < _e1065.member_1) {
-                                                phi_1153_ = type_4((_e1065.member + 1u), _e1065.member_1);
-                                                phi_1175_ = type_4(1u, _e1065.member);
+                                            let _e691 = phi_1149_;
+                                            let _e693 = phi_1152_;
+                                            local_12 = _e691;
+                                            if (_e693.member < _e693.member_1) {
+                                                phi_1153_ = type_4((_e693.member + 1u), _e693.member_1);
+                                                phi_1175_ = type_4(1u, _e693.member);
                                             } else {
-                                                phi_1153_ = _e1065;
+                                                phi_1153_ = _e693;
                                                 phi_1175_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1078 = phi_1153_;
-                                            let _e1080 = phi_1175_;
-                                            let _e1084 = (bitcast<i32>(_e1080.member) != 0i);
-                                            if _e1084 {
-                                                let _e1090 = type_33(_e1063.member, _e1063.member_1, (_e1063.member_2 + 1u));
-                                                let _e1091 = ((_e679.member_1 & 268435455u) + _e1080.member_1);
-                                                let _e1092 = (_e1091 < arrayLength((&global_6.member)));
-                                                if _e1092 {
-                                                    if _e1092 {
+                                            let _e706 = phi_1153_;
+                                            let _e708 = phi_1175_;
+                                            let _e712 = (bitcast<i32>(_e708.member) != 0i);
+                                            if _e712 {
+                                                let _e718 = type_33(_e691.member, _e691.member_1, (_e691.member_2 + 1u));
+                                                let _e719 = ((_e679.member_1 & 268435455u) + _e708.member_1);
+                                                let _e720 = (_e719 < arrayLength((&global_6.member)));
+                                                if _e720 {
+                                                    if _e720 {
                                                     } else {
-                                                        phi_3500_ = true;
+                                                        phi_3506_ = true;
                                                         break;
                                                     }
-                                                    let _e1095 = global_6.member[_e1091].member_1;
-                                                    phi_1203_ = _e1095;
+                                                    let _e723 = global_6.member[_e719].member_1;
+                                                    phi_1203_ = _e723;
                                                 } else {
                                                     phi_1203_ = 4294967295u;
                                                 }
-                                                let _e1097 = phi_1203_;
-                                                if _e1092 {
-                                                    if _e1092 {
+                                                let _e725 = phi_1203_;
+                                                if _e720 {
+                                                    if _e720 {
                                                     } else {
-                                                        phi_3500_ = true;
+                                                        phi_3506_ = true;
                                                         break;
                                                     }
-                                                    let _e1099 = global_6.member[_e1091];
-                                                    phi_1219_ = _e1099;
+                                                    let _e727 = global_6.member[_e719];
+                                                    phi_1219_ = _e727;
                                                 } else {
                                                     phi_1219_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e1101 = phi_1219_;
-                                                let _e1113 = ((10u * _e245) & 31u);
-                                                let _e1116 = ((_e1101.member[0] >> bitcast<u32>(_e1113)) & 1023u);
-                                                let _e1124 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[0] - _e679.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                                let _e1129 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1116)) - 8388608f) * _e1124)) ^ _e117)));
-                                                let _e1133 = select(select(_e679.member.member_1[0], _e1129, (_e1129 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1116 == 1023u));
-                                                let _e1135 = ((10u * _e244) & 31u);
-                                                let _e1138 = ((_e1101.member[0] >> bitcast<u32>(_e1135)) & 1023u);
-                                                let _e1146 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[1] - _e679.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                                let _e1151 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1138)) - 8388608f) * _e1146)) ^ _e117)));
-                                                let _e1155 = select(select(_e679.member.member_1[1], _e1151, (_e1151 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1138 == 1023u));
-                                                let _e1157 = ((10u * _e246) & 31u);
-                                                let _e1160 = ((_e1101.member[0] >> bitcast<u32>(_e1157)) & 1023u);
-                                                let _e1168 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[2] - _e679.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                                let _e1173 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1160)) - 8388608f) * _e1168)) ^ _e117)));
-                                                let _e1177 = select(select(_e679.member.member_1[2], _e1173, (_e1173 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1160 == 1023u));
-                                                let _e1181 = ((_e1101.member[1] >> bitcast<u32>(_e1113)) & 1023u);
-                                                let _e1189 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1181)) - 8388608f) * _e1124)) ^ _e117)));
-                                                let _e1193 = select(select(_e679.member.member_1[0], _e1189, (_e1189 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1181 == 1023u));
-                                                let _e1196 = ((_e1101.member[1] >> bitcast<u32>(_e1135)) & 1023u);
-                                                let _e1204 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1196)) - 8388608f) * _e1146)) ^ _e117)));
-                                                let _e1208 = select(select(_e679.member.member_1[1], _e1204, (_e1204 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1196 == 1023u));
-                                                let _e1211 = ((_e1101.member[1] >> bitcast<u32>(_e1157)) & 1023u);
-                                                let _e1219 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1211)) - 8388608f) * _e1168)) ^ _e117)));
-                                                let _e1223 = select(select(_e679.member.member_1[2], _e1219, (_e1219 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1211 == 1023u));
-                                                let _e1227 = ((_e1101.member[2] >> bitcast<u32>(_e1113)) & 1023u);
-                                                let _e1235 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1227)) - 8388608f) * _e1124)) ^ _e117)));
-                                                let _e1239 = select(select(_e679.member.member_1[0], _e1235, (_e1235 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1227 == 1023u));
-                                                let _e1242 = ((_e1101.member[2] >> bitcast<u32>(_e1135)) & 1023u);
-                                                let _e1250 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1242)) - 8388608f) * _e1146)) ^ _e117)));
-                                                let _e1254 = select(select(_e679.member.member_1[1], _e1250, (_e1250 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1242 == 1023u));
-                                                let _e1257 = ((_e1101.member[2] >> bitcast<u32>(_e1157)) & 1023u);
-                                                let _e1265 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1257)) - 8388608f) * _e1168)) ^ _e117)));
-                                                let _e1269 = select(select(_e679.member.member_1[2], _e1265, (_e1265 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1257 == 1023u));
-                                                let _e1274 = (_e1177 - _e446);
-                                                let _e1277 = (((_e1133 - _e309) * _e485) - (_e1274 * _e349));
-                                                let _e1280 = (((_e1155 - _e378) * _e485) - (_e1274 * _e417));
-                                                let _e1283 = (_e1223 - _e446);
-                                                let _e1286 = (((_e1193 - _e309) * _e485) - (_e1283 * _e349));
-                                                let _e1289 = (((_e1208 - _e378) * _e485) - (_e1283 * _e417));
-                                                let _e1292 = (_e1269 - _e446);
-                                                let _e1295 = (((_e1239 - _e309) * _e485) - (_e1292 * _e349));
-                                                let _e1298 = (((_e1254 - _e378) * _e485) - (_e1292 * _e417));
-                                                let _e1299 = (_e1295 * _e1289);
-                                                let _e1300 = (_e1298 * _e1286);
-                                                let _e1301 = (_e1277 * _e1298);
-                                                let _e1302 = (_e1280 * _e1295);
-                                                let _e1303 = (_e1286 * _e1280);
-                                                let _e1304 = (_e1289 * _e1277);
-                                                let _e1309 = (((_e1299 >= _e1300) && (_e1301 >= _e1302)) && (_e1303 >= _e1304));
-                                                if (_e1309 || (((_e1299 <= _e1300) && (_e1301 <= _e1302)) && (_e1303 <= _e1304))) {
-                                                    let _e1316 = select(-1f, 1f, _e1309);
-                                                    let _e1318 = ((_e1299 - _e1300) * _e1316);
-                                                    let _e1320 = select(0f, _e1318, (_e1318 > 0f));
-                                                    let _e1322 = ((_e1301 - _e1302) * _e1316);
-                                                    let _e1324 = select(0f, _e1322, (_e1322 > 0f));
-                                                    let _e1326 = ((_e1303 - _e1304) * _e1316);
-                                                    let _e1328 = select(0f, _e1326, (_e1326 > 0f));
-                                                    let _e1330 = ((_e1320 + _e1324) + _e1328);
-                                                    if (_e1330 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e729 = phi_1219_;
+                                                let _e741 = ((10u * _e245) & 31u);
+                                                let _e744 = ((_e729.member[0] >> bitcast<u32>(_e741)) & 1023u);
+                                                let _e752 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[0] - _e679.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                                let _e757 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e744)) - 8388608f) * _e752)) ^ _e117)));
+                                                let _e761 = select(select(_e679.member.member_1[0], _e757, (_e757 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e744 == 1023u));
+                                                let _e763 = ((10u * _e244) & 31u);
+                                                let _e766 = ((_e729.member[0] >> bitcast<u32>(_e763)) & 1023u);
+                                                let _e774 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[1] - _e679.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                                let _e779 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e766)) - 8388608f) * _e774)) ^ _e117)));
+                                                let _e783 = select(select(_e679.member.member_1[1], _e779, (_e779 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e766 == 1023u));
+                                                let _e785 = ((10u * _e246) & 31u);
+                                                let _e788 = ((_e729.member[0] >> bitcast<u32>(_e785)) & 1023u);
+                                                let _e796 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[2] - _e679.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                                let _e801 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e796)) ^ _e117)));
+                                                let _e805 = select(select(_e679.member.member_1[2], _e801, (_e801 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e788 == 1023u));
+                                                let _e809 = ((_e729.member[1] >> bitcast<u32>(_e741)) & 1023u);
+                                                let _e817 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e809)) - 8388608f) * _e752)) ^ _e117)));
+                                                let _e821 = select(select(_e679.member.member_1[0], _e817, (_e817 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e809 == 1023u));
+                                                let _e824 = ((_e729.member[1] >> bitcast<u32>(_e763)) & 1023u);
+                                                let _e832 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e824)) - 8388608f) * _e774)) ^ _e117)));
+                                                let _e836 = select(select(_e679.member.member_1[1], _e832, (_e832 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e824 == 1023u));
+                                                let _e839 = ((_e729.member[1] >> bitcast<u32>(_e785)) & 1023u);
+                                                let _e847 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e796)) ^ _e117)));
+                                                let _e851 = select(select(_e679.member.member_1[2], _e847, (_e847 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e839 == 1023u));
+                                                let _e855 = ((_e729.member[2] >> bitcast<u32>(_e741)) & 1023u);
+                                                let _e863 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e855)) - 8388608f) * _e752)) ^ _e117)));
+                                                let _e867 = select(select(_e679.member.member_1[0], _e863, (_e863 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e855 == 1023u));
+                                                let _e870 = ((_e729.member[2] >> bitcast<u32>(_e763)) & 1023u);
+                                                let _e878 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e774)) ^ _e117)));
+                                                let _e882 = select(select(_e679.member.member_1[1], _e878, (_e878 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e870 == 1023u));
+                                                let _e885 = ((_e729.member[2] >> bitcast<u32>(_e785)) & 1023u);
+                                                let _e893 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e885)) - 8388608f) * _e796)) ^ _e117)));
+                                                let _e897 = select(select(_e679.member.member_1[2], _e893, (_e893 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e885 == 1023u));
+                                                let _e902 = (_e805 - _e446);
+                                                let _e905 = (((_e761 - _e309) * _e485) - (_e902 * _e349));
+                                                let _e908 = (((_e783 - _e378) * _e485) - (_e902 * _e417));
+                                                let _e911 = (_e851 - _e446);
+                                                let _e914 = (((_e821 - _e309) * _e485) - (_e911 * _e349));
+                                                let _e917 = (((_e836 - _e378) * _e485) - (_e911 * _e417));
+                                                let _e920 = (_e897 - _e446);
+                                                let _e923 = (((_e867 - _e309) * _e485) - (_e920 * _e349));
+                                                let _e926 = (((_e882 - _e378) * _e485) - (_e920 * _e417));
+                                                let _e927 = (_e923 * _e917);
+                                                let _e928 = (_e926 * _e914);
+                                                let _e929 = (_e905 * _e926);
+                                                let _e930 = (_e908 * _e923);
+                                                let _e931 = (_e914 * _e908);
+                                                let _e932 = (_e917 * _e905);
+                                                let _e937 = (((_e927 >= _e928) && (_e929 >= _e930)) && (_e931 >= _e932));
+                                                if (_e937 || (((_e927 <= _e928) && (_e929 <= _e930)) && (_e931 <= _e932))) {
+                                                    let _e944 = select(-1f, 1f, _e937);
+                                                    let _e946 = ((_e927 - _e928) * _e944);
+                                                    let _e948 = select(0f, _e946, (_e946 > 0f));
+                                                    let _e950 = ((_e929 - _e930) * _e944);
+                                                    let _e952 = select(0f, _e950, (_e950 > 0f));
+                                                    let _e954 = ((_e931 - _e932) * _e944);
+                                                    let _e956 = select(0f, _e954, (_e954 > 0f));
+                                                    let _e958 = ((_e948 + _e952) + _e956);
+                                                    if (_e958 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2365_ = type_21();
                                                         phi_2366_ = true;
                                                         phi_2367_ = false;
                                                     } else {
-                                                        let _e1333 = select(_e1286, _e1277, (_e1277 < _e1286));
-                                                        if (select(_e1295, _e1333, (_e1333 < _e1295)) > 0f) {
+                                                        let _e961 = select(_e914, _e905, (_e905 < _e914));
+                                                        if (select(_e923, _e961, (_e961 < _e923)) > 0f) {
                                                             phi_1657_ = true;
                                                         } else {
-                                                            let _e1338 = select(_e1286, _e1277, (_e1277 > _e1286));
-                                                            phi_1657_ = (select(_e1295, _e1338, (_e1338 > _e1295)) < 0f);
+                                                            let _e966 = select(_e914, _e905, (_e905 > _e914));
+                                                            phi_1657_ = (select(_e923, _e966, (_e966 > _e923)) < 0f);
                                                         }
-                                                        let _e1343 = phi_1657_;
-                                                        if _e1343 {
+                                                        let _e971 = phi_1657_;
+                                                        if _e971 {
                                                             phi_2362_ = type_21();
                                                             phi_2363_ = true;
                                                             phi_2364_ = false;
                                                         } else {
-                                                            let _e1345 = select(_e1289, _e1280, (_e1280 < _e1289));
-                                                            if (select(_e1298, _e1345, (_e1345 < _e1298)) > 0f) {
+                                                            let _e973 = select(_e917, _e908, (_e908 < _e917));
+                                                            if (select(_e926, _e973, (_e973 < _e926)) > 0f) {
                                                                 phi_1686_ = true;
                                                             } else {
-                                                                let _e1350 = select(_e1289, _e1280, (_e1280 > _e1289));
-                                                                phi_1686_ = (select(_e1298, _e1350, (_e1350 > _e1298)) < 0f);
+                                                                let _e978 = select(_e917, _e908, (_e908 > _e917));
+                                                                phi_1686_ = (select(_e926, _e978, (_e978 > _e926)) < 0f);
                                                             }
-                                                            let _e1355 = phi_1686_;
-                                                            if _e1355 {
+                                                            let _e983 = phi_1686_;
+                                                            if _e983 {
                                                                 phi_2360_ = type_21();
                                                                 phi_2361_ = false;
                                                             } else {
-                                                                let _e1357 = select(_e1193, _e1133, (_e1133 < _e1193));
-                                                                let _e1361 = select(_e1193, _e1133, (_e1133 > _e1193));
-                                                                let _e1365 = select(_e1208, _e1155, (_e1155 < _e1208));
-                                                                let _e1369 = select(_e1208, _e1155, (_e1155 > _e1208));
-                                                                let _e1373 = select(_e1223, _e1177, (_e1177 < _e1223));
-                                                                let _e1377 = select(_e1223, _e1177, (_e1177 > _e1223));
-                                                                let _e1382 = ((select(_e1239, _e1357, (_e1357 < _e1239)) - _e347) * _e352);
-                                                                let _e1383 = ((select(_e1239, _e1361, (_e1361 > _e1239)) - _e348) * _e352);
-                                                                let _e1386 = ((select(_e1254, _e1365, (_e1365 < _e1254)) - _e415) * _e420);
-                                                                let _e1387 = ((select(_e1254, _e1369, (_e1369 > _e1254)) - _e416) * _e420);
-                                                                let _e1390 = ((select(_e1269, _e1373, (_e1373 < _e1269)) - _e483) * _e488);
-                                                                let _e1391 = ((select(_e1269, _e1377, (_e1377 > _e1269)) - _e484) * _e488);
-                                                                let _e1393 = select(_e1391, _e1390, (_e1390 < _e1391));
-                                                                let _e1395 = select(_e1391, _e1390, (_e1390 > _e1391));
-                                                                let _e1397 = select(_e1383, _e1382, (_e1382 < _e1383));
-                                                                let _e1399 = select(_e1387, _e1386, (_e1386 < _e1387));
-                                                                let _e1401 = select(_e1399, _e1397, (_e1397 > _e1399));
-                                                                let _e1403 = select(_e1393, _e1401, (_e1401 > _e1393));
-                                                                let _e1405 = select(_e1383, _e1382, (_e1382 > _e1383));
-                                                                let _e1407 = select(_e1387, _e1386, (_e1386 > _e1387));
-                                                                let _e1409 = select(_e1407, _e1405, (_e1405 < _e1407));
-                                                                let _e1411 = select(_e1395, _e1409, (_e1409 < _e1395));
-                                                                let _e1412 = -(_e1393);
-                                                                let _e1418 = select(_e600, _e1403, (_e1403 > _e600));
-                                                                if (_e1418 > (_e1411 + (select(_e1412, _e1395, (_e1395 > _e1412)) * 0.0000019073523f))) {
+                                                                let _e985 = select(_e821, _e761, (_e761 < _e821));
+                                                                let _e989 = select(_e821, _e761, (_e761 > _e821));
+                                                                let _e993 = select(_e836, _e783, (_e783 < _e836));
+                                                                let _e997 = select(_e836, _e783, (_e783 > _e836));
+                                                                let _e1001 = select(_e851, _e805, (_e805 < _e851));
+                                                                let _e1005 = select(_e851, _e805, (_e805 > _e851));
+                                                                let _e1010 = ((select(_e867, _e985, (_e985 < _e867)) - _e347) * _e352);
+                                                                let _e1011 = ((select(_e867, _e989, (_e989 > _e867)) - _e348) * _e352);
+                                                                let _e1014 = ((select(_e882, _e993, (_e993 < _e882)) - _e415) * _e420);
+                                                                let _e1015 = ((select(_e882, _e997, (_e997 > _e882)) - _e416) * _e420);
+                                                                let _e1018 = ((select(_e897, _e1001, (_e1001 < _e897)) - _e483) * _e488);
+                                                                let _e1019 = ((select(_e897, _e1005, (_e1005 > _e897)) - _e484) * _e488);
+                                                                let _e1021 = select(_e1019, _e1018, (_e1018 < _e1019));
+                                                                let _e1023 = select(_e1019, _e1018, (_e1018 > _e1019));
+                                                                let _e1025 = select(_e1011, _e1010, (_e1010 < _e1011));
+                                                                let _e1027 = select(_e1015, _e1014, (_e1014 < _e1015));
+                                                                let _e1029 = select(_e1027, _e1025, (_e1025 > _e1027));
+                                                                let _e1031 = select(_e1021, _e1029, (_e1029 > _e1021));
+                                                                let _e1033 = select(_e1011, _e1010, (_e1010 > _e1011));
+                                                                let _e1035 = select(_e1015, _e1014, (_e1014 > _e1015));
+                                                                let _e1037 = select(_e1035, _e1033, (_e1033 < _e1035));
+                                                                let _e1039 = select(_e1023, _e1037, (_e1037 < _e1023));
+                                                                let _e1040 = -(_e1021);
+                                                                let _e1046 = select(_e600, _e1031, (_e1031 > _e600));
+                                                                if (_e1046 > (_e1039 + (select(_e1040, _e1023, (_e1023 > _e1040)) * 0.0000019073523f))) {
                                                                     phi_2355_ = type_21();
                                                                     phi_2356_ = true;
                                                                 } else {
-                                                                    let _e1420 = (_e1418 > _e1063.member.member_1);
-                                                                    if _e1420 {
+                                                                    let _e1048 = (_e1046 > _e691.member.member_1);
+                                                                    if _e1048 {
                                                                         phi_2354_ = type_21();
                                                                     } else {
-                                                                        let _e1421 = vec3<f32>(_e1133, _e1155, _e1177);
-                                                                        let _e1422 = vec3<f32>(_e1193, _e1208, _e1223);
-                                                                        let _e1423 = vec3<f32>(_e1239, _e1254, _e1269);
-                                                                        let _e1424 = (_e1193 - _e1133);
-                                                                        let _e1425 = (_e1208 - _e1155);
-                                                                        let _e1426 = (_e1223 - _e1177);
-                                                                        let _e1427 = vec3<f32>(_e1424, _e1425, _e1426);
-                                                                        let _e1428 = (_e1239 - _e1193);
-                                                                        let _e1429 = (_e1254 - _e1208);
-                                                                        let _e1430 = (_e1269 - _e1223);
-                                                                        let _e1431 = vec3<f32>(_e1428, _e1429, _e1430);
-                                                                        let _e1432 = (_e1133 - _e1239);
-                                                                        let _e1433 = (_e1155 - _e1254);
-                                                                        let _e1434 = (_e1177 - _e1269);
-                                                                        let _e1435 = vec3<f32>(_e1432, _e1433, _e1434);
-                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
-                                                                        let _e1441 = bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u));
-                                                                        let _e1443 = select(_e1441, _e1438, (_e1438 > _e1441));
-                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
-                                                                        let _e1448 = select(_e1446, _e1443, (_e1443 > _e1446));
-                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
-                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
-                                                                        let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
-                                                                        let _e1459 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
-                                                                        let _e1461 = select(_e1459, _e1456, (_e1456 > _e1459));
-                                                                        let _e1464 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
-                                                                        let _e1467 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
-                                                                        let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
-                                                                        let _e1472 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
-                                                                        let _e1474 = select(_e1472, _e1469, (_e1469 > _e1472));
-                                                                        let _e1476 = select(_e1461, _e1448, (_e1448 > _e1461));
-                                                                        let _e1478 = select(_e1474, _e1476, (_e1476 > _e1474));
-                                                                        if (_e1448 == _e1478) {
-                                                                            phi_2081_ = _e1289;
-                                                                            phi_2082_ = _e1286;
-                                                                            phi_2083_ = _e1280;
-                                                                            phi_2084_ = _e1277;
-                                                                            phi_2085_ = _e1421;
-                                                                            phi_2086_ = _e1435;
-                                                                            phi_2087_ = _e1431;
-                                                                            phi_2088_ = _e1427;
+                                                                        let _e1049 = vec3<f32>(_e761, _e783, _e805);
+                                                                        let _e1050 = vec3<f32>(_e821, _e836, _e851);
+                                                                        let _e1051 = vec3<f32>(_e867, _e882, _e897);
+                                                                        let _e1052 = (_e821 - _e761);
+                                                                        let _e1053 = (_e836 - _e783);
+                                                                        let _e1054 = (_e851 - _e805);
+                                                                        let _e1055 = vec3<f32>(_e1052, _e1053, _e1054);
+                                                                        let _e1056 = (_e867 - _e821);
+                                                                        let _e1057 = (_e882 - _e836);
+                                                                        let _e1058 = (_e897 - _e851);
+                                                                        let _e1059 = vec3<f32>(_e1056, _e1057, _e1058);
+                                                                        let _e1060 = (_e761 - _e867);
+                                                                        let _e1061 = (_e783 - _e882);
+                                                                        let _e1062 = (_e805 - _e897);
+                                                                        let _e1063 = vec3<f32>(_e1060, _e1061, _e1062);
+                                                                        let _e1066 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
+                                                                        let _e1069 = bitcast<f32>((bitcast<u32>(_e1053) & 2147483647u));
+                                                                        let _e1071 = select(_e1069, _e1066, (_e1066 > _e1069));
+                                                                        let _e1074 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
+                                                                        let _e1076 = select(_e1074, _e1071, (_e1071 > _e1074));
+                                                                        let _e1079 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
+                                                                        let _e1082 = bitcast<f32>((bitcast<u32>(_e1057) & 2147483647u));
+                                                                        let _e1084 = select(_e1082, _e1079, (_e1079 > _e1082));
+                                                                        let _e1087 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
+                                                                        let _e1089 = select(_e1087, _e1084, (_e1084 > _e1087));
+                                                                        let _e1092 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
+                                                                        let _e1095 = bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u));
+                                                                        let _e1097 = select(_e1095, _e1092, (_e1092 > _e1095));
+                                                                        let _e1100 = bitcast<f32>((bitcast<u32>(_e1062) & 2147483647u));
+                                                                        let _e1102 = select(_e1100, _e1097, (_e1097 > _e1100));
+                                                                        let _e1104 = select(_e1089, _e1076, (_e1076 > _e1089));
+                                                                        let _e1106 = select(_e1102, _e1104, (_e1104 > _e1102));
+                                                                        if (_e1076 == _e1106) {
+                                                                            phi_2081_ = _e917;
+                                                                            phi_2082_ = _e914;
+                                                                            phi_2083_ = _e908;
+                                                                            phi_2084_ = _e905;
+                                                                            phi_2085_ = _e1049;
+                                                                            phi_2086_ = _e1063;
+                                                                            phi_2087_ = _e1059;
+                                                                            phi_2088_ = _e1055;
                                                                         } else {
-                                                                            let _e1480 = (_e1461 == _e1478);
-                                                                            let _e1485 = vec3(_e1480);
-                                                                            phi_2081_ = select(_e1280, _e1298, _e1480);
-                                                                            phi_2082_ = select(_e1277, _e1295, _e1480);
-                                                                            phi_2083_ = select(_e1298, _e1289, _e1480);
-                                                                            phi_2084_ = select(_e1295, _e1286, _e1480);
-                                                                            phi_2085_ = select(_e1423, _e1422, _e1485);
-                                                                            phi_2086_ = select(_e1431, _e1427, _e1485);
-                                                                            phi_2087_ = select(_e1427, _e1435, _e1485);
-                                                                            phi_2088_ = select(_e1435, _e1431, _e1485);
+                                                                            let _e1108 = (_e1089 == _e1106);
+                                                                            let _e1113 = vec3(_e1108);
+                                                                            phi_2081_ = select(_e908, _e926, _e1108);
+                                                                            phi_2082_ = select(_e905, _e923, _e1108);
+                                                                            phi_2083_ = select(_e926, _e917, _e1108);
+                                                                            phi_2084_ = select(_e923, _e914, _e1108);
+                                                                            phi_2085_ = select(_e1051, _e1050, _e1113);
+                                                                            phi_2086_ = select(_e1059, _e1055, _e1113);
+                                                                            phi_2087_ = select(_e1055, _e1063, _e1113);
+                                                                            phi_2088_ = select(_e1063, _e1059, _e1113);
                                                                         }
-                                                                        let _e1491 = phi_2081_;
-                                                                        let _e1493 = phi_2082_;
-                                                                        let _e1495 = phi_2083_;
-                                                                        let _e1497 = phi_2084_;
-                                                                        let _e1499 = phi_2085_;
-                                                                        let _e1501 = phi_2086_;
-                                                                        let _e1503 = phi_2087_;
-                                                                        let _e1505 = phi_2088_;
-                                                                        let _e1512 = ((_e1503.y * _e1501.z) - (_e1501.y * _e1503.z));
-                                                                        let _e1517 = ((_e1503.z * _e1501.x) - (_e1501.z * _e1503.x));
-                                                                        let _e1520 = ((_e1503.x * _e1501.y) - (_e1501.x * _e1503.y));
-                                                                        if (_e1320 >= _e1324) {
-                                                                            phi_2125_ = select(true, false, (_e1320 >= _e1328));
+                                                                        let _e1119 = phi_2081_;
+                                                                        let _e1121 = phi_2082_;
+                                                                        let _e1123 = phi_2083_;
+                                                                        let _e1125 = phi_2084_;
+                                                                        let _e1127 = phi_2085_;
+                                                                        let _e1129 = phi_2086_;
+                                                                        let _e1131 = phi_2087_;
+                                                                        let _e1133 = phi_2088_;
+                                                                        let _e1140 = ((_e1131.y * _e1129.z) - (_e1129.y * _e1131.z));
+                                                                        let _e1145 = ((_e1131.z * _e1129.x) - (_e1129.z * _e1131.x));
+                                                                        let _e1148 = ((_e1131.x * _e1129.y) - (_e1129.x * _e1131.y));
+                                                                        if (_e948 >= _e952) {
+                                                                            phi_2125_ = select(true, false, (_e948 >= _e956));
                                                                         } else {
                                                                             phi_2125_ = true;
                                                                         }
-                                                                        let _e1525 = phi_2125_;
-                                                                        if _e1525 {
-                                                                            phi_2134_ = select(_e1423, _e1422, vec3((_e1324 >= _e1328)));
+                                                                        let _e1153 = phi_2125_;
+                                                                        if _e1153 {
+                                                                            phi_2134_ = select(_e1051, _e1050, vec3((_e952 >= _e956)));
                                                                         } else {
-                                                                            phi_2134_ = _e1421;
+                                                                            phi_2134_ = _e1049;
                                                                         }
-                                                                        let _e1530 = phi_2134_;
-                                                                        let _e1541 = (((_e1512 * (_e1530.x - _e309)) + (_e1517 * (_e1530.y - _e378))) + (_e1520 * (_e1530.z - _e446)));
-                                                                        let _e1546 = (((_e1512 * _e349) + (_e1517 * _e417)) + (_e1520 * _e485));
-                                                                        let _e1547 = (_e1493 - _e1497);
-                                                                        let _e1548 = (_e1491 - _e1495);
-                                                                        let _e1556 = (-(((_e1497 * _e1547) + (_e1495 * _e1548))) / ((_e1547 * _e1547) + (_e1548 * _e1548)));
-                                                                        let _e1558 = select(1f, _e1556, (_e1556 < 1f));
-                                                                        let _e1560 = select(0f, _e1558, (_e1558 > 0f));
-                                                                        let _e1573 = ((_e1499.x + (_e1505.x * _e1560)) - _e309);
-                                                                        let _e1574 = ((_e1499.y + (_e1505.y * _e1560)) - _e378);
-                                                                        let _e1575 = ((_e1499.z + (_e1505.z * _e1560)) - _e446);
-                                                                        let _e1576 = (_e1575 / _e485);
-                                                                        let _e1588 = bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u));
-                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u));
-                                                                        let _e1593 = select(_e1591, _e1588, (_e1588 > _e1591));
-                                                                        let _e1596 = bitcast<f32>((bitcast<u32>(_e1575) & 2147483647u));
-                                                                        let _e1598 = select(_e1596, _e1593, (_e1593 > _e1596));
-                                                                        let _e1604 = bitcast<f32>((bitcast<u32>(_e1512) & 2147483647u));
-                                                                        let _e1607 = bitcast<f32>((bitcast<u32>(_e1517) & 2147483647u));
-                                                                        let _e1609 = select(_e1607, _e1604, (_e1604 > _e1607));
-                                                                        let _e1612 = bitcast<f32>((bitcast<u32>(_e1520) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1512 * _e1573) + (_e1517 * _e1574)) + (_e1520 * _e1575)) - _e1541)) & 2147483647u)) <= ((0.0000009536743f * select(_e1478, _e1598, (_e1598 > _e1478))) * select(_e1612, _e1609, (_e1609 > _e1612)))) {
-                                                                            let _e1622 = bitcast<f32>((bitcast<u32>(_e1503.x) & 2147483647u));
-                                                                            let _e1625 = bitcast<f32>((bitcast<u32>(_e1503.y) & 2147483647u));
-                                                                            let _e1627 = select(_e1625, _e1622, (_e1622 > _e1625));
-                                                                            let _e1630 = bitcast<f32>((bitcast<u32>(_e1503.z) & 2147483647u));
-                                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1501.x) & 2147483647u));
-                                                                            let _e1639 = bitcast<f32>((bitcast<u32>(_e1501.y) & 2147483647u));
-                                                                            let _e1641 = select(_e1639, _e1636, (_e1636 > _e1639));
-                                                                            let _e1644 = bitcast<f32>((bitcast<u32>(_e1501.z) & 2147483647u));
-                                                                            let _e1648 = (bitcast<f32>((bitcast<u32>(_e1546) & 2147483647u)) > ((0.0000038146973f * select(_e1630, _e1627, (_e1627 > _e1630))) * select(_e1644, _e1641, (_e1641 > _e1644))));
-                                                                            if _e1648 {
-                                                                                phi_2299_ = (_e1541 / _e1546);
+                                                                        let _e1158 = phi_2134_;
+                                                                        let _e1169 = (((_e1140 * (_e1158.x - _e309)) + (_e1145 * (_e1158.y - _e378))) + (_e1148 * (_e1158.z - _e446)));
+                                                                        let _e1174 = (((_e1140 * _e349) + (_e1145 * _e417)) + (_e1148 * _e485));
+                                                                        let _e1175 = (_e1121 - _e1125);
+                                                                        let _e1176 = (_e1119 - _e1123);
+                                                                        let _e1184 = (-(((_e1125 * _e1175) + (_e1123 * _e1176))) / ((_e1175 * _e1175) + (_e1176 * _e1176)));
+                                                                        let _e1186 = select(1f, _e1184, (_e1184 < 1f));
+                                                                        let _e1188 = select(0f, _e1186, (_e1186 > 0f));
+                                                                        let _e1201 = ((_e1127.x + (_e1133.x * _e1188)) - _e309);
+                                                                        let _e1202 = ((_e1127.y + (_e1133.y * _e1188)) - _e378);
+                                                                        let _e1203 = ((_e1127.z + (_e1133.z * _e1188)) - _e446);
+                                                                        let _e1204 = (_e1203 / _e485);
+                                                                        let _e1216 = bitcast<f32>((bitcast<u32>(_e1201) & 2147483647u));
+                                                                        let _e1219 = bitcast<f32>((bitcast<u32>(_e1202) & 2147483647u));
+                                                                        let _e1221 = select(_e1219, _e1216, (_e1216 > _e1219));
+                                                                        let _e1224 = bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u));
+                                                                        let _e1226 = select(_e1224, _e1221, (_e1221 > _e1224));
+                                                                        let _e1232 = bitcast<f32>((bitcast<u32>(_e1140) & 2147483647u));
+                                                                        let _e1235 = bitcast<f32>((bitcast<u32>(_e1145) & 2147483647u));
+                                                                        let _e1237 = select(_e1235, _e1232, (_e1232 > _e1235));
+                                                                        let _e1240 = bitcast<f32>((bitcast<u32>(_e1148) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1140 * _e1201) + (_e1145 * _e1202)) + (_e1148 * _e1203)) - _e1169)) & 2147483647u)) <= ((0.0000009536743f * select(_e1106, _e1226, (_e1226 > _e1106))) * select(_e1240, _e1237, (_e1237 > _e1240)))) {
+                                                                            let _e1250 = bitcast<f32>((bitcast<u32>(_e1131.x) & 2147483647u));
+                                                                            let _e1253 = bitcast<f32>((bitcast<u32>(_e1131.y) & 2147483647u));
+                                                                            let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
+                                                                            let _e1258 = bitcast<f32>((bitcast<u32>(_e1131.z) & 2147483647u));
+                                                                            let _e1264 = bitcast<f32>((bitcast<u32>(_e1129.x) & 2147483647u));
+                                                                            let _e1267 = bitcast<f32>((bitcast<u32>(_e1129.y) & 2147483647u));
+                                                                            let _e1269 = select(_e1267, _e1264, (_e1264 > _e1267));
+                                                                            let _e1272 = bitcast<f32>((bitcast<u32>(_e1129.z) & 2147483647u));
+                                                                            let _e1276 = (bitcast<f32>((bitcast<u32>(_e1174) & 2147483647u)) > ((0.0000038146973f * select(_e1258, _e1255, (_e1255 > _e1258))) * select(_e1272, _e1269, (_e1269 > _e1272))));
+                                                                            if _e1276 {
+                                                                                phi_2299_ = (_e1169 / _e1174);
                                                                             } else {
                                                                                 phi_2299_ = f32();
                                                                             }
-                                                                            let _e1651 = phi_2299_;
-                                                                            phi_2301_ = _e1651;
-                                                                            phi_2302_ = select(true, false, _e1648);
+                                                                            let _e1279 = phi_2299_;
+                                                                            phi_2301_ = _e1279;
+                                                                            phi_2302_ = select(true, false, _e1276);
                                                                         } else {
                                                                             phi_2301_ = f32();
                                                                             phi_2302_ = true;
                                                                         }
-                                                                        let _e1654 = phi_2301_;
-                                                                        let _e1656 = phi_2302_;
-                                                                        if _e1656 {
-                                                                            let _e1664 = (((_e1512 * (_e1573 - (_e349 * _e1576))) + (_e1517 * (_e1574 - (_e417 * _e1576)))) / _e1546);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1664) & 2147483647u)) <= _e1478) {
-                                                                                phi_2322_ = (_e1576 + _e1664);
+                                                                        let _e1282 = phi_2301_;
+                                                                        let _e1284 = phi_2302_;
+                                                                        if _e1284 {
+                                                                            let _e1292 = (((_e1140 * (_e1201 - (_e349 * _e1204))) + (_e1145 * (_e1202 - (_e417 * _e1204)))) / _e1174);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1292) & 2147483647u)) <= _e1106) {
+                                                                                phi_2322_ = (_e1204 + _e1292);
                                                                             } else {
-                                                                                phi_2322_ = _e1576;
+                                                                                phi_2322_ = _e1204;
                                                                             }
-                                                                            let _e1671 = phi_2322_;
-                                                                            phi_2323_ = _e1671;
+                                                                            let _e1299 = phi_2322_;
+                                                                            phi_2323_ = _e1299;
                                                                         } else {
-                                                                            phi_2323_ = _e1654;
+                                                                            phi_2323_ = _e1282;
                                                                         }
-                                                                        let _e1673 = phi_2323_;
-                                                                        let _e1675 = select(_e1411, _e1673, (_e1673 < _e1411));
-                                                                        let _e1677 = select(_e1403, _e1675, (_e1675 > _e1403));
-                                                                        if (_e1677 >= _e600) {
-                                                                            let _e1679 = (_e1677 <= _e1063.member.member_1);
-                                                                            if _e1679 {
-                                                                                let _e1680 = (1f / _e1330);
-                                                                                phi_2346_ = type_21(_e1677, (_e1324 * _e1680), (_e1328 * _e1680), _e1097);
+                                                                        let _e1301 = phi_2323_;
+                                                                        let _e1303 = select(_e1039, _e1301, (_e1301 < _e1039));
+                                                                        let _e1305 = select(_e1031, _e1303, (_e1303 > _e1031));
+                                                                        if (_e1305 >= _e600) {
+                                                                            let _e1307 = (_e1305 <= _e691.member.member_1);
+                                                                            if _e1307 {
+                                                                                let _e1308 = (1f / _e958);
+                                                                                phi_2346_ = type_21(_e1305, (_e952 * _e1308), (_e956 * _e1308), _e725);
                                                                             } else {
                                                                                 phi_2346_ = type_21();
                                                                             }
-                                                                            let _e1685 = phi_2346_;
-                                                                            phi_2348_ = _e1685;
-                                                                            phi_2349_ = select(true, false, _e1679);
+                                                                            let _e1313 = phi_2346_;
+                                                                            phi_2348_ = _e1313;
+                                                                            phi_2349_ = select(true, false, _e1307);
                                                                         } else {
                                                                             phi_2348_ = type_21();
                                                                             phi_2349_ = true;
                                                                         }
-                                                                        let _e1688 = phi_2348_;
-                                                                        let _e1690 = phi_2349_;
-                                                                        if _e1690 {
+                                                                        let _e1316 = phi_2348_;
+                                                                        let _e1318 = phi_2349_;
+                                                                        if _e1318 {
                                                                             phi_2353_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2353_ = _e1688;
+                                                                            phi_2353_ = _e1316;
                                                                         }
-                                                                        let _e1692 = phi_2353_;
-                                                                        phi_2354_ = _e1692;
+                                                                        let _e1320 = phi_2353_;
+                                                                        phi_2354_ = _e1320;
                                                                     }
-                                                                    let _e1694 = phi_2354_;
-                                                                    phi_2355_ = _e1694;
-                                                                    phi_2356_ = _e1420;
+                                                                    let _e1322 = phi_2354_;
+                                                                    phi_2355_ = _e1322;
+                                                                    phi_2356_ = _e1048;
                                                                 }
-                                                                let _e1696 = phi_2355_;
-                                                                let _e1698 = phi_2356_;
-                                                                phi_2360_ = _e1696;
-                                                                phi_2361_ = _e1698;
+                                                                let _e1324 = phi_2355_;
+                                                                let _e1326 = phi_2356_;
+                                                                phi_2360_ = _e1324;
+                                                                phi_2361_ = _e1326;
                                                             }
-                                                            let _e1700 = phi_2360_;
-                                                            let _e1702 = phi_2361_;
-                                                            phi_2362_ = _e1700;
-                                                            phi_2363_ = _e1355;
-                                                            phi_2364_ = _e1702;
+                                                            let _e1328 = phi_2360_;
+                                                            let _e1330 = phi_2361_;
+                                                            phi_2362_ = _e1328;
+                                                            phi_2363_ = _e983;
+                                                            phi_2364_ = _e1330;
                                                         }
-                                                        let _e1704 = phi_2362_;
-                                                        let _e1706 = phi_2363_;
-                                                        let _e1708 = phi_2364_;
-                                                        phi_2365_ = _e1704;
-                                                        phi_2366_ = _e1706;
-                                                        phi_2367_ = _e1708;
+                                                        let _e1332 = phi_2362_;
+                                                        let _e1334 = phi_2363_;
+                                                        let _e1336 = phi_2364_;
+                                                        phi_2365_ = _e1332;
+                                                        phi_2366_ = _e1334;
+                                                        phi_2367_ = _e1336;
                                                     }
-                                                    let _e1710 = phi_2365_;
-                                                    let _e1712 = phi_2366_;
-                                                    let _e1714 = phi_2367_;
-                                                    phi_2375_ = _e1710;
-                                                    phi_2376_ = select(_e1714, true, _e1712);
+                                                    let _e1338 = phi_2365_;
+                                                    let _e1340 = phi_2366_;
+                                                    let _e1342 = phi_2367_;
+                                                    phi_2375_ = _e1338;
+                                                    phi_2376_ = select(_e1342, true, _e1340);
                                                 } else {
                                                     phi_2375_ = type_21();
                                                     phi_2376_ = true;
                                                 }
-                                                let _e1717 = phi_2375_;
-                                                let _e1719 = phi_2376_;
-                                                if _e1719 {
+                                                let _e1345 = phi_2375_;
+                                                let _e1347 = phi_2376_;
+                                                if _e1347 {
                                                     phi_2380_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2380_ = _e1717;
+                                                    phi_2380_ = _e1345;
                                                 }
-                                                let _e1721 = phi_2380_;
-                                                if (_e1721.member_3 != 4294967295u) {
-                                                    if (_e1097 != 4294967295u) {
-                                                        if (_e1721.member < _e1063.member.member.member) {
+                                                let _e1349 = phi_2380_;
+                                                if (_e1349.member_3 != 4294967295u) {
+                                                    if (_e725 != 4294967295u) {
+                                                        if (_e1349.member < _e691.member.member.member) {
                                                             phi_2406_ = true;
                                                         } else {
-                                                            if (_e1721.member == _e1063.member.member.member) {
-                                                                phi_2405_ = (_e1721.member_3 < _e1063.member.member.member_3);
+                                                            if (_e1349.member == _e691.member.member.member) {
+                                                                phi_2405_ = (_e1349.member_3 < _e691.member.member.member_3);
                                                             } else {
                                                                 phi_2405_ = false;
                                                             }
-                                                            let _e1736 = phi_2405_;
-                                                            phi_2406_ = _e1736;
+                                                            let _e1364 = phi_2405_;
+                                                            phi_2406_ = _e1364;
                                                         }
-                                                        let _e1738 = phi_2406_;
-                                                        if _e1738 {
-                                                            phi_2413_ = type_33(type_28(_e1721, _e1721.member), _e1090.member_1, _e1090.member_2);
+                                                        let _e1366 = phi_2406_;
+                                                        if _e1366 {
+                                                            phi_2413_ = type_33(type_28(_e1349, _e1349.member), _e718.member_1, _e718.member_2);
                                                         } else {
-                                                            phi_2413_ = _e1090;
+                                                            phi_2413_ = _e718;
                                                         }
-                                                        let _e1745 = phi_2413_;
-                                                        phi_2414_ = _e1745;
+                                                        let _e1373 = phi_2413_;
+                                                        phi_2414_ = _e1373;
                                                     } else {
-                                                        phi_2414_ = _e1090;
+                                                        phi_2414_ = _e718;
                                                     }
-                                                    let _e1747 = phi_2414_;
-                                                    phi_2415_ = _e1747;
+                                                    let _e1375 = phi_2414_;
+                                                    phi_2415_ = _e1375;
                                                 } else {
-                                                    phi_2415_ = _e1090;
+                                                    phi_2415_ = _e718;
                                                 }
-                                                let _e1749 = phi_2415_;
-                                                phi_1150_ = _e1749;
+                                                let _e1377 = phi_2415_;
+                                                phi_1150_ = _e1377;
                                             } else {
                                                 phi_1150_ = type_33();
                                             }
-                                            let _e1751 = phi_1150_;
+                                            let _e1379 = phi_1150_;
                                             continue;
                                             continuing {
-                                                phi_1149_ = _e1751;
-                                                phi_1152_ = _e1078;
-                                                phi_3500_ = _e633;
-                                                break if !(_e1084);
+                                                phi_1149_ = _e1379;
+                                                phi_1152_ = _e706;
+                                                phi_3506_ = _e633;
+                                                break if !(_e712);
                                             }
                                         }
-                                        let _e1754 = phi_3500_;
-                                        phi_3678_ = _e1754;
-                                        if _e1754 {
+                                        let _e1382 = phi_3506_;
+                                        phi_3684_ = _e1382;
+                                        if _e1382 {
                                             break;
                                         }
-                                        phi_3682_ = _e1754;
-                                        let _e1925 = local_12;
-                                        phi_3432_ = _e1925;
-                                        phi_3433_ = false;
-                                        phi_3434_ = _e677;
-                                        phi_3435_ = _e679;
+                                        phi_3743_ = _e1382;
+                                        let _e1921 = local_12;
+                                        phi_2416_ = _e1921;
                                     } else {
-                                        let _e689 = (_e679.member_1 < _e82);
-                                        if _e689 {
-                                            if _e689 {
+                                        phi_3743_ = _e633;
+                                        phi_2416_ = _e635;
+                                    }
+                                    let _e1384 = phi_3743_;
+                                    let _e1386 = phi_2416_;
+                                    if _e683 {
+                                        phi_3427_ = type_33();
+                                        phi_3428_ = bool();
+                                        phi_3429_ = u32();
+                                        phi_3430_ = type_50();
+                                    } else {
+                                        let _e1387 = (_e679.member_1 < _e82);
+                                        if _e1387 {
+                                            if _e1387 {
                                             } else {
-                                                phi_3678_ = true;
+                                                phi_3684_ = true;
                                                 break;
                                             }
-                                            let _e691 = global_4.member[_e679.member_1];
-                                            phi_2441_ = _e691;
+                                            let _e1389 = global_4.member[_e679.member_1];
+                                            phi_2437_ = _e1389;
                                         } else {
-                                            phi_2441_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2437_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e693 = phi_2441_;
-                                        let _e708 = ((10u * _e245) & 31u);
-                                        let _e711 = ((_e693.member[0] >> bitcast<u32>(_e708)) & 1023u);
-                                        let _e719 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[0] - _e679.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                        let _e724 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e711)) - 8388608f) * _e719)) ^ _e117)));
-                                        let _e728 = select(select(_e679.member.member_1[0], _e724, (_e724 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e711 == 1023u));
-                                        let _e730 = ((10u * _e244) & 31u);
-                                        let _e733 = ((_e693.member[0] >> bitcast<u32>(_e730)) & 1023u);
-                                        let _e741 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[1] - _e679.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                        let _e746 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e733)) - 8388608f) * _e741)) ^ _e117)));
-                                        let _e750 = select(select(_e679.member.member_1[1], _e746, (_e746 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e733 == 1023u));
-                                        let _e752 = ((10u * _e246) & 31u);
-                                        let _e755 = ((_e693.member[0] >> bitcast<u32>(_e752)) & 1023u);
-                                        let _e763 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[2] - _e679.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                        let _e768 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e755)) - 8388608f) * _e763)) ^ _e117)));
-                                        let _e772 = select(select(_e679.member.member_1[2], _e768, (_e768 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e755 == 1023u));
-                                        let _e775 = ((_e693.member[1] >> bitcast<u32>(_e708)) & 1023u);
-                                        let _e783 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e775)) - 8388608f) * _e719)) ^ _e117)));
-                                        let _e787 = select(select(_e679.member.member_1[0], _e783, (_e783 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e775 == 1023u));
-                                        let _e790 = ((_e693.member[1] >> bitcast<u32>(_e730)) & 1023u);
-                                        let _e798 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e790)) - 8388608f) * _e741)) ^ _e117)));
-                                        let _e802 = select(select(_e679.member.member_1[1], _e798, (_e798 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e790 == 1023u));
-                                        let _e805 = ((_e693.member[1] >> bitcast<u32>(_e752)) & 1023u);
-                                        let _e813 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e805)) - 8388608f) * _e763)) ^ _e117)));
-                                        let _e817 = select(select(_e679.member.member_1[2], _e813, (_e813 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e805 == 1023u));
-                                        let _e823 = ((_e693.member_1[0] >> bitcast<u32>(_e708)) & 1023u);
-                                        let _e831 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e823)) - 8388608f) * _e719)) ^ _e117)));
-                                        let _e835 = select(select(_e679.member.member_1[0], _e831, (_e831 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e823 == 1023u));
-                                        let _e838 = ((_e693.member_1[0] >> bitcast<u32>(_e730)) & 1023u);
-                                        let _e846 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e838)) - 8388608f) * _e741)) ^ _e117)));
-                                        let _e850 = select(select(_e679.member.member_1[1], _e846, (_e846 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e838 == 1023u));
-                                        let _e853 = ((_e693.member_1[0] >> bitcast<u32>(_e752)) & 1023u);
-                                        let _e861 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e853)) - 8388608f) * _e763)) ^ _e117)));
-                                        let _e865 = select(select(_e679.member.member_1[2], _e861, (_e861 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e853 == 1023u));
-                                        let _e868 = ((_e693.member_1[1] >> bitcast<u32>(_e708)) & 1023u);
-                                        let _e876 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e868)) - 8388608f) * _e719)) ^ _e117)));
-                                        let _e880 = select(select(_e679.member.member_1[0], _e876, (_e876 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e868 == 1023u));
-                                        let _e883 = ((_e693.member_1[1] >> bitcast<u32>(_e730)) & 1023u);
-                                        let _e891 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e883)) - 8388608f) * _e741)) ^ _e117)));
-                                        let _e895 = select(select(_e679.member.member_1[1], _e891, (_e891 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e883 == 1023u));
-                                        let _e898 = ((_e693.member_1[1] >> bitcast<u32>(_e752)) & 1023u);
-                                        let _e906 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e898)) - 8388608f) * _e763)) ^ _e117)));
-                                        let _e910 = select(select(_e679.member.member_1[2], _e906, (_e906 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e898 == 1023u));
-                                        let _e915 = type_50(type_42(array<f32, 3>(_e728, _e750, _e772), array<f32, 3>(_e787, _e802, _e817)), _e693.member_2);
-                                        let _e920 = type_50(type_42(array<f32, 3>(_e835, _e850, _e865), array<f32, 3>(_e880, _e895, _e910)), _e693.member_3);
-                                        let _e933 = ((_e728 - _e347) * _e352);
-                                        let _e934 = ((_e835 - _e347) * _e352);
-                                        let _e935 = ((_e787 - _e348) * _e352);
-                                        let _e936 = ((_e880 - _e348) * _e352);
-                                        let _e941 = ((_e750 - _e415) * _e420);
-                                        let _e942 = ((_e850 - _e415) * _e420);
-                                        let _e943 = ((_e802 - _e416) * _e420);
-                                        let _e944 = ((_e895 - _e416) * _e420);
-                                        let _e949 = ((_e772 - _e483) * _e488);
-                                        let _e950 = ((_e865 - _e483) * _e488);
-                                        let _e951 = ((_e817 - _e484) * _e488);
-                                        let _e952 = ((_e910 - _e484) * _e488);
-                                        let _e954 = select(_e951, _e949, (_e949 < _e951));
-                                        let _e956 = select(_e952, _e950, (_e950 < _e952));
-                                        let _e958 = select(_e951, _e949, (_e949 > _e951));
-                                        let _e960 = select(_e952, _e950, (_e950 > _e952));
-                                        let _e962 = select(_e935, _e933, (_e933 < _e935));
-                                        let _e964 = select(_e936, _e934, (_e934 < _e936));
-                                        let _e966 = select(_e943, _e941, (_e941 < _e943));
-                                        let _e968 = select(_e944, _e942, (_e942 < _e944));
-                                        let _e970 = select(_e966, _e962, (_e962 > _e966));
-                                        let _e972 = select(_e968, _e964, (_e964 > _e968));
-                                        let _e974 = select(_e954, _e970, (_e970 > _e954));
-                                        let _e976 = select(_e956, _e972, (_e972 > _e956));
-                                        let _e978 = select(_e935, _e933, (_e933 > _e935));
-                                        let _e980 = select(_e936, _e934, (_e934 > _e936));
-                                        let _e982 = select(_e943, _e941, (_e941 > _e943));
-                                        let _e984 = select(_e944, _e942, (_e942 > _e944));
-                                        let _e986 = select(_e982, _e978, (_e978 < _e982));
-                                        let _e988 = select(_e984, _e980, (_e980 < _e984));
-                                        let _e993 = -(_e954);
-                                        let _e994 = -(_e956);
-                                        let _e1001 = (select(_e958, _e986, (_e986 < _e958)) + (select(_e993, _e958, (_e958 > _e993)) * 0.0000019073523f));
-                                        let _e1002 = (select(_e960, _e988, (_e988 < _e960)) + (select(_e994, _e960, (_e960 > _e994)) * 0.0000019073523f));
-                                        let _e1004 = select(_e600, _e974, (_e974 > _e600));
-                                        let _e1006 = select(_e600, _e976, (_e976 > _e600));
-                                        let _e1011 = (_e1004 <= select(_e635.member.member_1, _e1001, (_e1001 < _e635.member.member_1)));
-                                        let _e1012 = (_e1006 <= select(_e635.member.member_1, _e1002, (_e1002 < _e635.member.member_1)));
-                                        let _e1013 = (_e1004 <= _e1006);
-                                        if _e1011 {
-                                            if _e1012 {
-                                                if _e1013 {
-                                                    phi_3330_ = _e920;
+                                        let _e1391 = phi_2437_;
+                                        let _e1406 = ((10u * _e245) & 31u);
+                                        let _e1409 = ((_e1391.member[0] >> bitcast<u32>(_e1406)) & 1023u);
+                                        let _e1417 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[0] - _e679.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                        let _e1422 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1409)) - 8388608f) * _e1417)) ^ _e117)));
+                                        let _e1426 = select(select(_e679.member.member_1[0], _e1422, (_e1422 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1409 == 1023u));
+                                        let _e1428 = ((10u * _e244) & 31u);
+                                        let _e1431 = ((_e1391.member[0] >> bitcast<u32>(_e1428)) & 1023u);
+                                        let _e1439 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[1] - _e679.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                        let _e1444 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1431)) - 8388608f) * _e1439)) ^ _e117)));
+                                        let _e1448 = select(select(_e679.member.member_1[1], _e1444, (_e1444 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1431 == 1023u));
+                                        let _e1450 = ((10u * _e246) & 31u);
+                                        let _e1453 = ((_e1391.member[0] >> bitcast<u32>(_e1450)) & 1023u);
+                                        let _e1461 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[2] - _e679.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                        let _e1466 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1453)) - 8388608f) * _e1461)) ^ _e117)));
+                                        let _e1470 = select(select(_e679.member.member_1[2], _e1466, (_e1466 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1453 == 1023u));
+                                        let _e1473 = ((_e1391.member[1] >> bitcast<u32>(_e1406)) & 1023u);
+                                        let _e1481 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1473)) - 8388608f) * _e1417)) ^ _e117)));
+                                        let _e1485 = select(select(_e679.member.member_1[0], _e1481, (_e1481 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1473 == 1023u));
+                                        let _e1488 = ((_e1391.member[1] >> bitcast<u32>(_e1428)) & 1023u);
+                                        let _e1496 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1488)) - 8388608f) * _e1439)) ^ _e117)));
+                                        let _e1500 = select(select(_e679.member.member_1[1], _e1496, (_e1496 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1488 == 1023u));
+                                        let _e1503 = ((_e1391.member[1] >> bitcast<u32>(_e1450)) & 1023u);
+                                        let _e1511 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1503)) - 8388608f) * _e1461)) ^ _e117)));
+                                        let _e1515 = select(select(_e679.member.member_1[2], _e1511, (_e1511 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1503 == 1023u));
+                                        let _e1521 = ((_e1391.member_1[0] >> bitcast<u32>(_e1406)) & 1023u);
+                                        let _e1529 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1521)) - 8388608f) * _e1417)) ^ _e117)));
+                                        let _e1533 = select(select(_e679.member.member_1[0], _e1529, (_e1529 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1521 == 1023u));
+                                        let _e1536 = ((_e1391.member_1[0] >> bitcast<u32>(_e1428)) & 1023u);
+                                        let _e1544 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1536)) - 8388608f) * _e1439)) ^ _e117)));
+                                        let _e1548 = select(select(_e679.member.member_1[1], _e1544, (_e1544 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1536 == 1023u));
+                                        let _e1551 = ((_e1391.member_1[0] >> bitcast<u32>(_e1450)) & 1023u);
+                                        let _e1559 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1551)) - 8388608f) * _e1461)) ^ _e117)));
+                                        let _e1563 = select(select(_e679.member.member_1[2], _e1559, (_e1559 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1551 == 1023u));
+                                        let _e1566 = ((_e1391.member_1[1] >> bitcast<u32>(_e1406)) & 1023u);
+                                        let _e1574 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1566)) - 8388608f) * _e1417)) ^ _e117)));
+                                        let _e1578 = select(select(_e679.member.member_1[0], _e1574, (_e1574 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1566 == 1023u));
+                                        let _e1581 = ((_e1391.member_1[1] >> bitcast<u32>(_e1428)) & 1023u);
+                                        let _e1589 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1581)) - 8388608f) * _e1439)) ^ _e117)));
+                                        let _e1593 = select(select(_e679.member.member_1[1], _e1589, (_e1589 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1581 == 1023u));
+                                        let _e1596 = ((_e1391.member_1[1] >> bitcast<u32>(_e1450)) & 1023u);
+                                        let _e1604 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1596)) - 8388608f) * _e1461)) ^ _e117)));
+                                        let _e1608 = select(select(_e679.member.member_1[2], _e1604, (_e1604 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1596 == 1023u));
+                                        let _e1613 = type_50(type_42(array<f32, 3>(_e1426, _e1448, _e1470), array<f32, 3>(_e1485, _e1500, _e1515)), _e1391.member_2);
+                                        let _e1618 = type_50(type_42(array<f32, 3>(_e1533, _e1548, _e1563), array<f32, 3>(_e1578, _e1593, _e1608)), _e1391.member_3);
+                                        let _e1631 = ((_e1426 - _e347) * _e352);
+                                        let _e1632 = ((_e1533 - _e347) * _e352);
+                                        let _e1633 = ((_e1485 - _e348) * _e352);
+                                        let _e1634 = ((_e1578 - _e348) * _e352);
+                                        let _e1639 = ((_e1448 - _e415) * _e420);
+                                        let _e1640 = ((_e1548 - _e415) * _e420);
+                                        let _e1641 = ((_e1500 - _e416) * _e420);
+                                        let _e1642 = ((_e1593 - _e416) * _e420);
+                                        let _e1647 = ((_e1470 - _e483) * _e488);
+                                        let _e1648 = ((_e1563 - _e483) * _e488);
+                                        let _e1649 = ((_e1515 - _e484) * _e488);
+                                        let _e1650 = ((_e1608 - _e484) * _e488);
+                                        let _e1652 = select(_e1649, _e1647, (_e1647 < _e1649));
+                                        let _e1654 = select(_e1650, _e1648, (_e1648 < _e1650));
+                                        let _e1656 = select(_e1649, _e1647, (_e1647 > _e1649));
+                                        let _e1658 = select(_e1650, _e1648, (_e1648 > _e1650));
+                                        let _e1660 = select(_e1633, _e1631, (_e1631 < _e1633));
+                                        let _e1662 = select(_e1634, _e1632, (_e1632 < _e1634));
+                                        let _e1664 = select(_e1641, _e1639, (_e1639 < _e1641));
+                                        let _e1666 = select(_e1642, _e1640, (_e1640 < _e1642));
+                                        let _e1668 = select(_e1664, _e1660, (_e1660 > _e1664));
+                                        let _e1670 = select(_e1666, _e1662, (_e1662 > _e1666));
+                                        let _e1672 = select(_e1652, _e1668, (_e1668 > _e1652));
+                                        let _e1674 = select(_e1654, _e1670, (_e1670 > _e1654));
+                                        let _e1676 = select(_e1633, _e1631, (_e1631 > _e1633));
+                                        let _e1678 = select(_e1634, _e1632, (_e1632 > _e1634));
+                                        let _e1680 = select(_e1641, _e1639, (_e1639 > _e1641));
+                                        let _e1682 = select(_e1642, _e1640, (_e1640 > _e1642));
+                                        let _e1684 = select(_e1680, _e1676, (_e1676 < _e1680));
+                                        let _e1686 = select(_e1682, _e1678, (_e1678 < _e1682));
+                                        let _e1691 = -(_e1652);
+                                        let _e1692 = -(_e1654);
+                                        let _e1699 = (select(_e1656, _e1684, (_e1684 < _e1656)) + (select(_e1691, _e1656, (_e1656 > _e1691)) * 0.0000019073523f));
+                                        let _e1700 = (select(_e1658, _e1686, (_e1686 < _e1658)) + (select(_e1692, _e1658, (_e1658 > _e1692)) * 0.0000019073523f));
+                                        let _e1702 = select(_e600, _e1672, (_e1672 > _e600));
+                                        let _e1704 = select(_e600, _e1674, (_e1674 > _e600));
+                                        let _e1709 = (_e1702 <= select(_e1386.member.member_1, _e1699, (_e1699 < _e1386.member.member_1)));
+                                        let _e1710 = (_e1704 <= select(_e1386.member.member_1, _e1700, (_e1700 < _e1386.member.member_1)));
+                                        let _e1711 = (_e1702 <= _e1704);
+                                        if _e1709 {
+                                            if _e1710 {
+                                                if _e1711 {
+                                                    phi_3326_ = _e1618;
                                                 } else {
-                                                    phi_3330_ = _e915;
+                                                    phi_3326_ = _e1613;
                                                 }
-                                                let _e1015 = phi_3330_;
-                                                let _e1023 = (_e677 % 128u);
-                                                let _e1024 = (_e1023 < 128u);
-                                                if _e1024 {
+                                                let _e1713 = phi_3326_;
+                                                let _e1720 = (_e677 % 128u);
+                                                let _e1721 = (_e1720 < 128u);
+                                                if _e1721 {
                                                 } else {
-                                                    phi_3678_ = true;
+                                                    phi_3684_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1023] = _e1015.member_1;
-                                                if _e1024 {
+                                                local_6[_e1720] = _e1713.member_1;
+                                                if _e1721 {
                                                 } else {
-                                                    phi_3678_ = true;
+                                                    phi_3684_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1023] = _e1015.member.member[0];
-                                                if _e1024 {
+                                                local_5[_e1720] = _e1713.member.member[0];
+                                                if _e1721 {
                                                 } else {
-                                                    phi_3678_ = true;
+                                                    phi_3684_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1023] = _e1015.member.member[1];
-                                                if _e1024 {
+                                                local_4[_e1720] = _e1713.member.member[1];
+                                                if _e1721 {
                                                 } else {
-                                                    phi_3678_ = true;
+                                                    phi_3684_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1023] = _e1015.member.member[2];
-                                                if _e1024 {
+                                                local_3[_e1720] = _e1713.member.member[2];
+                                                if _e1721 {
                                                 } else {
-                                                    phi_3678_ = true;
+                                                    phi_3684_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1023] = _e1015.member.member_1[0];
-                                                if _e1024 {
+                                                local_2[_e1720] = _e1713.member.member_1[0];
+                                                if _e1721 {
                                                 } else {
-                                                    phi_3678_ = true;
+                                                    phi_3684_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1023] = _e1015.member.member_1[1];
-                                                if _e1024 {
+                                                local_1[_e1720] = _e1713.member.member_1[1];
+                                                if _e1721 {
                                                 } else {
-                                                    phi_3678_ = true;
+                                                    phi_3684_ = true;
                                                     break;
                                                 }
-                                                local[_e1023] = _e1015.member.member_1[2];
-                                                if _e1024 {
+                                                local[_e1720] = _e1713.member.member_1[2];
+                                                if _e1721 {
                                                 } else {
-                                                    phi_3678_ = true;
+                                                    phi_3684_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1023] = select(_e1006, _e1004, !(_e1013));
-                                                if _e1013 {
-                                                    phi_3407_ = _e915;
+                                                local_7[_e1720] = select(_e1702, _e1704, _e1711);
+                                                if _e1711 {
+                                                    phi_3402_ = _e1613;
                                                 } else {
-                                                    phi_3407_ = _e920;
+                                                    phi_3402_ = _e1618;
                                                 }
-                                                let _e1041 = phi_3407_;
-                                                phi_3408_ = (_e677 + 1u);
-                                                phi_3409_ = _e1041;
+                                                let _e1738 = phi_3402_;
+                                                phi_3403_ = (_e677 + 1u);
+                                                phi_3404_ = _e1738;
                                             } else {
-                                                phi_3408_ = u32();
-                                                phi_3409_ = type_50();
+                                                phi_3403_ = u32();
+                                                phi_3404_ = type_50();
                                             }
-                                            let _e1043 = phi_3408_;
-                                            let _e1045 = phi_3409_;
-                                            phi_3411_ = _e1043;
-                                            phi_3412_ = _e1045;
-                                            phi_3413_ = select(true, false, _e1012);
+                                            let _e1740 = phi_3403_;
+                                            let _e1742 = phi_3404_;
+                                            phi_3406_ = _e1740;
+                                            phi_3407_ = _e1742;
+                                            phi_3408_ = select(true, false, _e1710);
                                         } else {
-                                            phi_3411_ = u32();
-                                            phi_3412_ = type_50();
-                                            phi_3413_ = true;
+                                            phi_3406_ = u32();
+                                            phi_3407_ = type_50();
+                                            phi_3408_ = true;
                                         }
-                                        let _e1048 = phi_3411_;
-                                        let _e1050 = phi_3412_;
-                                        let _e1052 = phi_3413_;
-                                        if _e1052 {
-                                            if _e1011 {
-                                                phi_3420_ = _e915;
+                                        let _e1745 = phi_3406_;
+                                        let _e1747 = phi_3407_;
+                                        let _e1749 = phi_3408_;
+                                        if _e1749 {
+                                            if _e1709 {
+                                                phi_3415_ = _e1613;
                                             } else {
-                                                phi_3420_ = _e920;
+                                                phi_3415_ = _e1618;
                                             }
-                                            let _e1054 = phi_3420_;
-                                            phi_3425_ = select(_e1012, true, _e1011);
-                                            phi_3427_ = _e1054;
+                                            let _e1751 = phi_3415_;
+                                            phi_3420_ = select(_e1710, true, _e1709);
+                                            phi_3422_ = _e1751;
                                         } else {
-                                            phi_3425_ = _e675;
-                                            phi_3427_ = _e1050;
+                                            phi_3420_ = _e675;
+                                            phi_3422_ = _e1747;
                                         }
-                                        let _e1057 = phi_3425_;
-                                        let _e1059 = phi_3427_;
-                                        phi_3682_ = _e633;
-                                        phi_3432_ = type_33(_e635.member, (_e635.member_1 + 1u), _e635.member_2);
-                                        phi_3433_ = _e1057;
-                                        phi_3434_ = select(_e1048, _e677, _e1052);
-                                        phi_3435_ = _e1059;
+                                        let _e1754 = phi_3420_;
+                                        let _e1756 = phi_3422_;
+                                        phi_3427_ = type_33(_e1386.member, (_e1386.member_1 + 1u), _e1386.member_2);
+                                        phi_3428_ = _e1754;
+                                        phi_3429_ = select(_e1745, _e677, _e1749);
+                                        phi_3430_ = _e1756;
                                     }
-                                    let _e1756 = phi_3682_;
-                                    let _e1758 = phi_3432_;
-                                    let _e1760 = phi_3433_;
-                                    let _e1762 = phi_3434_;
-                                    let _e1764 = phi_3435_;
-                                    phi_3681_ = _e1756;
-                                    phi_3436_ = _e1758;
-                                    phi_3437_ = _e1760;
-                                    phi_3438_ = (_e639 - 1u);
-                                    phi_3439_ = _e1762;
-                                    phi_3440_ = _e1764;
+                                    let _e1759 = phi_3427_;
+                                    let _e1761 = phi_3428_;
+                                    let _e1763 = phi_3429_;
+                                    let _e1765 = phi_3430_;
+                                    if _e683 {
+                                        phi_3438_ = _e1386;
+                                        phi_3441_ = _e679;
+                                    } else {
+                                        phi_3438_ = _e1759;
+                                        phi_3441_ = _e1765;
+                                    }
+                                    let _e1767 = phi_3438_;
+                                    let _e1769 = phi_3441_;
+                                    phi_3687_ = _e1384;
+                                    phi_3442_ = _e1767;
+                                    phi_3443_ = (_e637 - 1u);
+                                    phi_3444_ = select(_e1761, false, _e683);
+                                    phi_3445_ = select(_e1763, _e677, _e683);
+                                    phi_3446_ = _e1769;
                                 } else {
-                                    phi_3681_ = _e633;
-                                    phi_3436_ = _e635;
-                                    phi_3437_ = _e675;
-                                    phi_3438_ = _e639;
-                                    phi_3439_ = _e677;
-                                    phi_3440_ = _e679;
+                                    phi_3687_ = _e633;
+                                    phi_3442_ = _e635;
+                                    phi_3443_ = _e637;
+                                    phi_3444_ = _e675;
+                                    phi_3445_ = _e677;
+                                    phi_3446_ = _e679;
                                 }
-                                let _e1766 = phi_3681_;
-                                let _e1768 = phi_3436_;
-                                let _e1770 = phi_3437_;
-                                let _e1772 = phi_3438_;
-                                let _e1774 = phi_3439_;
-                                let _e1776 = phi_3440_;
-                                phi_3680_ = _e1766;
-                                phi_3441_ = _e1768;
-                                phi_3442_ = _e1770;
-                                phi_3443_ = _e1772;
-                                phi_3444_ = _e1774;
-                                phi_3445_ = _e1776;
+                                let _e1773 = phi_3687_;
+                                let _e1775 = phi_3442_;
+                                let _e1777 = phi_3443_;
+                                let _e1779 = phi_3444_;
+                                let _e1781 = phi_3445_;
+                                let _e1783 = phi_3446_;
+                                phi_3686_ = _e1773;
+                                phi_3447_ = _e1775;
+                                phi_3448_ = _e1777;
+                                phi_3449_ = _e1779;
+                                phi_3450_ = _e1781;
+                                phi_3451_ = _e1783;
                             } else {
-                                phi_3680_ = _e633;
-                                phi_3441_ = type_33();
-                                phi_3442_ = bool();
-                                phi_3443_ = u32();
-                                phi_3444_ = u32();
-                                phi_3445_ = type_50();
+                                phi_3686_ = _e633;
+                                phi_3447_ = type_33();
+                                phi_3448_ = u32();
+                                phi_3449_ = bool();
+                                phi_3450_ = u32();
+                                phi_3451_ = type_50();
                             }
-                            let _e1778 = phi_3680_;
-                            let _e1780 = phi_3441_;
-                            let _e1782 = phi_3442_;
-                            let _e1784 = phi_3443_;
-                            let _e1786 = phi_3444_;
-                            let _e1788 = phi_3445_;
-                            phi_3679_ = _e1778;
-                            phi_1023_ = _e1780;
-                            phi_1026_ = _e1782;
-                            phi_1028_ = _e1784;
-                            phi_1030_ = _e1786;
-                            phi_1032_ = _e1788;
-                            phi_3446_ = _e647;
+                            let _e1785 = phi_3686_;
+                            let _e1787 = phi_3447_;
+                            let _e1789 = phi_3448_;
+                            let _e1791 = phi_3449_;
+                            let _e1793 = phi_3450_;
+                            let _e1795 = phi_3451_;
+                            phi_3685_ = _e1785;
+                            phi_1023_ = _e1787;
+                            phi_1026_ = _e1789;
+                            phi_1028_ = _e1791;
+                            phi_1030_ = _e1793;
+                            phi_1032_ = _e1795;
+                            phi_3452_ = _e647;
                         } else {
-                            phi_3679_ = _e633;
+                            phi_3685_ = _e633;
                             phi_1023_ = type_33();
-                            phi_1026_ = bool();
-                            phi_1028_ = u32();
+                            phi_1026_ = u32();
+                            phi_1028_ = bool();
                             phi_1030_ = u32();
                             phi_1032_ = type_50();
-                            phi_3446_ = false;
+                            phi_3452_ = false;
                         }
-                        let _e1790 = phi_3679_;
-                        let _e1792 = phi_1023_;
-                        let _e1794 = phi_1026_;
-                        let _e1796 = phi_1028_;
-                        let _e1798 = phi_1030_;
-                        let _e1800 = phi_1032_;
-                        let _e1802 = phi_3446_;
+                        let _e1797 = phi_3685_;
+                        let _e1799 = phi_1023_;
+                        let _e1801 = phi_1026_;
+                        let _e1803 = phi_1028_;
+                        let _e1805 = phi_1030_;
+                        let _e1807 = phi_1032_;
+                        let _e1809 = phi_3452_;
                         continue;
                         continuing {
-                            phi_3506_ = _e1790;
-                            phi_1022_ = _e1792;
-                            phi_1025_ = _e1794;
-                            phi_1027_ = _e1796;
-                            phi_1029_ = _e1798;
-                            phi_1031_ = _e1800;
-                            phi_3678_ = _e1790;
-                            break if !(_e1802);
+                            phi_3512_ = _e1797;
+                            phi_1022_ = _e1799;
+                            phi_1025_ = _e1801;
+                            phi_1027_ = _e1803;
+                            phi_1029_ = _e1805;
+                            phi_1031_ = _e1807;
+                            phi_3684_ = _e1797;
+                            break if !(_e1809);
                         }
                     }
-                    let _e1805 = phi_3678_;
-                    if _e1805 {
+                    let _e1812 = phi_3684_;
+                    if _e1812 {
                         break;
                     }
-                    let _e1807 = local_10;
-                    let _e1810 = local_11;
+                    let _e1814 = local_10;
+                    let _e1817 = local_11;
                     if _e133 {
                     } else {
                         break;
                     }
-                    global_5.member[_e131][0u] = _e1807.member_1;
-                    global_5.member[_e131][1u] = _e1810.member_2;
+                    global_5.member[_e131][0u] = _e1814.member_1;
+                    global_5.member[_e131][1u] = _e1817.member_2;
                 }
             }
             break;

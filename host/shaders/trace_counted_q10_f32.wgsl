@@ -133,34 +133,16 @@ fn function_() {
     var phi_975_: u32;
     var phi_983_: f32;
     var phi_984_: f32;
-    var phi_3757_: bool;
+    var phi_3763_: bool;
     var phi_1081_: type_44;
-    var phi_1084_: bool;
-    var phi_1086_: u32;
+    var phi_1084_: u32;
+    var phi_1086_: bool;
     var phi_1088_: u32;
     var phi_1090_: type_51;
     var phi_1101_: bool;
     var phi_1187_: bool;
     var phi_1188_: u32;
     var phi_1189_: type_51;
-    var phi_3015_: u32;
-    var phi_3016_: u32;
-    var phi_3026_: u32;
-    var phi_3028_: u32;
-    var phi_3029_: bool;
-    var phi_3049_: u32;
-    var phi_3050_: u32;
-    var phi_3054_: type_52;
-    var phi_3419_: type_51;
-    var phi_3496_: type_51;
-    var phi_3497_: u32;
-    var phi_3498_: type_51;
-    var phi_3500_: u32;
-    var phi_3501_: type_51;
-    var phi_3502_: bool;
-    var phi_3511_: type_51;
-    var phi_3516_: bool;
-    var phi_3518_: type_51;
     var phi_1207_: type_44;
     var phi_1210_: type_4;
     var phi_1211_: type_4;
@@ -208,32 +190,53 @@ fn function_() {
     var phi_2282_: type_44;
     var phi_2283_: type_44;
     var phi_1208_: type_44;
-    var phi_3751_: bool;
-    var phi_3915_: bool;
-    var phi_3523_: type_44;
-    var phi_3524_: bool;
-    var phi_3525_: u32;
-    var phi_3526_: type_51;
-    var phi_3914_: bool;
-    var phi_3527_: type_44;
-    var phi_3528_: bool;
-    var phi_3529_: u32;
-    var phi_3530_: u32;
-    var phi_3531_: type_51;
-    var phi_3913_: bool;
-    var phi_3532_: type_44;
-    var phi_3533_: bool;
+    var phi_3757_: bool;
+    var phi_4003_: bool;
+    var phi_2284_: type_44;
+    var phi_3011_: u32;
+    var phi_3012_: u32;
+    var phi_3022_: u32;
+    var phi_3024_: u32;
+    var phi_3025_: bool;
+    var phi_3045_: u32;
+    var phi_3046_: u32;
+    var phi_3050_: type_52;
+    var phi_3415_: type_51;
+    var phi_3491_: type_51;
+    var phi_3492_: u32;
+    var phi_3493_: type_51;
+    var phi_3495_: u32;
+    var phi_3496_: type_51;
+    var phi_3497_: bool;
+    var phi_3506_: type_51;
+    var phi_3511_: bool;
+    var phi_3513_: type_51;
+    var phi_3518_: type_44;
+    var phi_3519_: bool;
+    var phi_3520_: u32;
+    var phi_3521_: type_51;
+    var phi_3529_: type_44;
+    var phi_3532_: type_51;
+    var phi_3920_: bool;
+    var phi_3533_: type_44;
     var phi_3534_: u32;
-    var phi_3535_: u32;
-    var phi_3536_: type_51;
-    var phi_3912_: bool;
+    var phi_3535_: bool;
+    var phi_3536_: u32;
+    var phi_3537_: type_51;
+    var phi_3919_: bool;
+    var phi_3538_: type_44;
+    var phi_3539_: u32;
+    var phi_3540_: bool;
+    var phi_3541_: u32;
+    var phi_3542_: type_51;
+    var phi_3918_: bool;
     var phi_1082_: type_44;
-    var phi_1085_: bool;
-    var phi_1087_: u32;
+    var phi_1085_: u32;
+    var phi_1087_: bool;
     var phi_1089_: u32;
     var phi_1091_: type_51;
-    var phi_3537_: bool;
-    var phi_3911_: bool;
+    var phi_3543_: bool;
+    var phi_3917_: bool;
     var local_10: type_44;
     var local_11: type_44;
     var local_12: type_44;
@@ -600,14 +603,14 @@ fn function_() {
                         break;
                     }
                     let _e648 = local[_e632];
-                    phi_3757_ = false;
+                    phi_3763_ = false;
                     phi_1081_ = type_44(type_38(type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e613), 0u, 0u);
-                    phi_1084_ = (_e615 <= _e613);
-                    phi_1086_ = ((3u * _e90) + 1u);
+                    phi_1084_ = ((3u * _e90) + 1u);
+                    phi_1086_ = (_e615 <= _e613);
                     phi_1088_ = 0u;
                     phi_1090_ = type_51(type_33(vec4<f32>((f32(_e623) * _e140), (f32(_e629) * _e140), (f32(_e635) * _e140), 0f), vec4<f32>((f32(_e640) * _e140), (f32(_e644) * _e140), (f32(_e648) * _e140), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
                     loop {
-                        let _e658 = phi_3757_;
+                        let _e658 = phi_3763_;
                         let _e660 = phi_1081_;
                         let _e662 = phi_1084_;
                         let _e664 = phi_1086_;
@@ -615,17 +618,17 @@ fn function_() {
                         let _e668 = phi_1090_;
                         local_10 = _e660;
                         local_11 = _e660;
-                        if _e662 {
+                        if _e664 {
                             phi_1101_ = true;
                         } else {
                             phi_1101_ = (_e666 > 0u);
                         }
                         let _e671 = phi_1101_;
                         if _e671 {
-                            let _e672 = (_e664 > 0u);
+                            let _e672 = (_e662 > 0u);
                             if _e672 {
-                                if _e662 {
-                                    phi_1187_ = _e662;
+                                if _e664 {
+                                    phi_1187_ = _e664;
                                     phi_1188_ = _e666;
                                     phi_1189_ = _e668;
                                 } else {
@@ -634,49 +637,49 @@ fn function_() {
                                     let _e675 = (_e674 < 128u);
                                     if _e675 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e677 = local_7[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e679 = local_6[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e681 = local_5[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e683 = local_4[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e685 = local_3[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e687 = local_2[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e692 = local_8[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e695 = local_9[_e674];
@@ -688,801 +691,817 @@ fn function_() {
                                 let _e702 = phi_1188_;
                                 let _e704 = phi_1189_;
                                 if _e700 {
-                                    if ((_e704.member_1 & 2147483648u) != 0u) {
+                                    let _e708 = ((_e704.member_1 & 2147483648u) != 0u);
+                                    if _e708 {
                                         phi_1207_ = _e660;
                                         phi_1210_ = type_4(0u, ((_e704.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1161 = phi_1207_;
-                                            let _e1163 = phi_1210_;
-                                            local_12 = _e1161;
-                                            if (_e1163.member < _e1163.member_1) {
-                                                phi_1211_ = type_4((_e1163.member + 1u), _e1163.member_1);
-                                                phi_1233_ = type_4(1u, _e1163.member);
+                                            let _e715 = phi_1207_;
+                                            let _e717 = phi_1210_;
+                                            local_12 = _e715;
+                                            if (_e717.member < _e717.member_1) {
+                                                phi_1211_ = type_4((_e717.member + 1u), _e717.member_1);
+                                                phi_1233_ = type_4(1u, _e717.member);
                                             } else {
-                                                phi_1211_ = _e1163;
+                                                phi_1211_ = _e717;
                                                 phi_1233_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1176 = phi_1211_;
-                                            let _e1178 = phi_1233_;
-                                            let _e1182 = (bitcast<i32>(_e1178.member) != 0i);
-                                            if _e1182 {
-                                                let _e1188 = type_44(_e1161.member, _e1161.member_1, (_e1161.member_2 + 1u));
-                                                let _e1189 = ((_e704.member_1 & 268435455u) + _e1178.member_1);
-                                                let _e1190 = (_e1189 < _e92);
-                                                if _e1190 {
-                                                    if _e1190 {
+                                            let _e730 = phi_1211_;
+                                            let _e732 = phi_1233_;
+                                            let _e736 = (bitcast<i32>(_e732.member) != 0i);
+                                            if _e736 {
+                                                let _e742 = type_44(_e715.member, _e715.member_1, (_e715.member_2 + 1u));
+                                                let _e743 = ((_e704.member_1 & 268435455u) + _e732.member_1);
+                                                let _e744 = (_e743 < _e92);
+                                                if _e744 {
+                                                    if _e744 {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1194 = global_2.member[_e1189].member_1;
-                                                    phi_1257_ = _e1194;
+                                                    let _e748 = global_2.member[_e743].member_1;
+                                                    phi_1257_ = _e748;
                                                 } else {
                                                     phi_1257_ = 4294967295u;
                                                 }
-                                                let _e1196 = phi_1257_;
-                                                if (_e1189 >= _e92) {
+                                                let _e750 = phi_1257_;
+                                                if (_e743 >= _e92) {
                                                     phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1190 {
+                                                    if _e744 {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
                                                     if (_e620 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1203 = global_2.member[_e1189].member[_e620];
+                                                    let _e757 = global_2.member[_e743].member[_e620];
                                                     if (_e626 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1209 = global_2.member[_e1189].member[_e626];
+                                                    let _e763 = global_2.member[_e743].member[_e626];
                                                     if (_e632 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1215 = global_2.member[_e1189].member[_e632];
-                                                    let _e1217 = (3u + _e620);
-                                                    if (_e1217 < 9u) {
+                                                    let _e769 = global_2.member[_e743].member[_e632];
+                                                    let _e771 = (3u + _e620);
+                                                    if (_e771 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1223 = global_2.member[_e1189].member[_e1217];
-                                                    let _e1224 = (3u + _e626);
-                                                    if (_e1224 < 9u) {
+                                                    let _e777 = global_2.member[_e743].member[_e771];
+                                                    let _e778 = (3u + _e626);
+                                                    if (_e778 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1230 = global_2.member[_e1189].member[_e1224];
-                                                    let _e1231 = (3u + _e632);
-                                                    if (_e1231 < 9u) {
+                                                    let _e784 = global_2.member[_e743].member[_e778];
+                                                    let _e785 = (3u + _e632);
+                                                    if (_e785 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1237 = global_2.member[_e1189].member[_e1231];
-                                                    let _e1239 = (6u + _e620);
-                                                    if (_e1239 < 9u) {
+                                                    let _e791 = global_2.member[_e743].member[_e785];
+                                                    let _e793 = (6u + _e620);
+                                                    if (_e793 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1245 = global_2.member[_e1189].member[_e1239];
-                                                    let _e1246 = (6u + _e626);
-                                                    if (_e1246 < 9u) {
+                                                    let _e799 = global_2.member[_e743].member[_e793];
+                                                    let _e800 = (6u + _e626);
+                                                    if (_e800 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1252 = global_2.member[_e1189].member[_e1246];
-                                                    let _e1253 = (6u + _e632);
-                                                    if (_e1253 < 9u) {
+                                                    let _e806 = global_2.member[_e743].member[_e800];
+                                                    let _e807 = (6u + _e632);
+                                                    if (_e807 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1259 = global_2.member[_e1189].member[_e1253];
-                                                    phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1203, _e1209, _e1215), array<f32, 3>(_e1223, _e1230, _e1237), array<f32, 3>(_e1245, _e1252, _e1259));
+                                                    let _e813 = global_2.member[_e743].member[_e807];
+                                                    phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(_e757, _e763, _e769), array<f32, 3>(_e777, _e784, _e791), array<f32, 3>(_e799, _e806, _e813));
                                                 }
-                                                let _e1263 = phi_1349_;
-                                                let _e1272 = (_e1263[0][2] - _e461);
-                                                let _e1275 = (((_e1263[0][0] - _e324) * _e500) - (_e1272 * _e364));
-                                                let _e1278 = (((_e1263[0][1] - _e393) * _e500) - (_e1272 * _e432));
-                                                let _e1285 = (_e1263[1][2] - _e461);
-                                                let _e1288 = (((_e1263[1][0] - _e324) * _e500) - (_e1285 * _e364));
-                                                let _e1291 = (((_e1263[1][1] - _e393) * _e500) - (_e1285 * _e432));
-                                                let _e1298 = (_e1263[2][2] - _e461);
-                                                let _e1301 = (((_e1263[2][0] - _e324) * _e500) - (_e1298 * _e364));
-                                                let _e1304 = (((_e1263[2][1] - _e393) * _e500) - (_e1298 * _e432));
-                                                let _e1305 = (_e1301 * _e1291);
-                                                let _e1306 = (_e1304 * _e1288);
-                                                let _e1307 = (_e1275 * _e1304);
-                                                let _e1308 = (_e1278 * _e1301);
-                                                let _e1309 = (_e1288 * _e1278);
-                                                let _e1310 = (_e1291 * _e1275);
-                                                let _e1315 = (((_e1305 >= _e1306) && (_e1307 >= _e1308)) && (_e1309 >= _e1310));
-                                                if (_e1315 || (((_e1305 <= _e1306) && (_e1307 <= _e1308)) && (_e1309 <= _e1310))) {
-                                                    let _e1322 = select(-1f, 1f, _e1315);
-                                                    let _e1324 = ((_e1305 - _e1306) * _e1322);
-                                                    let _e1326 = select(0f, _e1324, (_e1324 > 0f));
-                                                    let _e1328 = ((_e1307 - _e1308) * _e1322);
-                                                    let _e1330 = select(0f, _e1328, (_e1328 > 0f));
-                                                    let _e1332 = ((_e1309 - _e1310) * _e1322);
-                                                    let _e1334 = select(0f, _e1332, (_e1332 > 0f));
-                                                    let _e1336 = ((_e1326 + _e1330) + _e1334);
-                                                    if (_e1336 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e817 = phi_1349_;
+                                                let _e826 = (_e817[0][2] - _e461);
+                                                let _e829 = (((_e817[0][0] - _e324) * _e500) - (_e826 * _e364));
+                                                let _e832 = (((_e817[0][1] - _e393) * _e500) - (_e826 * _e432));
+                                                let _e839 = (_e817[1][2] - _e461);
+                                                let _e842 = (((_e817[1][0] - _e324) * _e500) - (_e839 * _e364));
+                                                let _e845 = (((_e817[1][1] - _e393) * _e500) - (_e839 * _e432));
+                                                let _e852 = (_e817[2][2] - _e461);
+                                                let _e855 = (((_e817[2][0] - _e324) * _e500) - (_e852 * _e364));
+                                                let _e858 = (((_e817[2][1] - _e393) * _e500) - (_e852 * _e432));
+                                                let _e859 = (_e855 * _e845);
+                                                let _e860 = (_e858 * _e842);
+                                                let _e861 = (_e829 * _e858);
+                                                let _e862 = (_e832 * _e855);
+                                                let _e863 = (_e842 * _e832);
+                                                let _e864 = (_e845 * _e829);
+                                                let _e869 = (((_e859 >= _e860) && (_e861 >= _e862)) && (_e863 >= _e864));
+                                                if (_e869 || (((_e859 <= _e860) && (_e861 <= _e862)) && (_e863 <= _e864))) {
+                                                    let _e876 = select(-1f, 1f, _e869);
+                                                    let _e878 = ((_e859 - _e860) * _e876);
+                                                    let _e880 = select(0f, _e878, (_e878 > 0f));
+                                                    let _e882 = ((_e861 - _e862) * _e876);
+                                                    let _e884 = select(0f, _e882, (_e882 > 0f));
+                                                    let _e886 = ((_e863 - _e864) * _e876);
+                                                    let _e888 = select(0f, _e886, (_e886 > 0f));
+                                                    let _e890 = ((_e880 + _e884) + _e888);
+                                                    if (_e890 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2233_ = type_29();
                                                         phi_2234_ = true;
                                                         phi_2235_ = false;
                                                     } else {
-                                                        let _e1339 = select(_e1288, _e1275, (_e1275 < _e1288));
-                                                        if (select(_e1301, _e1339, (_e1339 < _e1301)) > 0f) {
+                                                        let _e893 = select(_e842, _e829, (_e829 < _e842));
+                                                        if (select(_e855, _e893, (_e893 < _e855)) > 0f) {
                                                             phi_1501_ = true;
                                                         } else {
-                                                            let _e1344 = select(_e1288, _e1275, (_e1275 > _e1288));
-                                                            phi_1501_ = (select(_e1301, _e1344, (_e1344 > _e1301)) < 0f);
+                                                            let _e898 = select(_e842, _e829, (_e829 > _e842));
+                                                            phi_1501_ = (select(_e855, _e898, (_e898 > _e855)) < 0f);
                                                         }
-                                                        let _e1349 = phi_1501_;
-                                                        if _e1349 {
+                                                        let _e903 = phi_1501_;
+                                                        if _e903 {
                                                             phi_2230_ = type_29();
                                                             phi_2231_ = true;
                                                             phi_2232_ = false;
                                                         } else {
-                                                            let _e1351 = select(_e1291, _e1278, (_e1278 < _e1291));
-                                                            if (select(_e1304, _e1351, (_e1351 < _e1304)) > 0f) {
+                                                            let _e905 = select(_e845, _e832, (_e832 < _e845));
+                                                            if (select(_e858, _e905, (_e905 < _e858)) > 0f) {
                                                                 phi_1530_ = true;
                                                             } else {
-                                                                let _e1356 = select(_e1291, _e1278, (_e1278 > _e1291));
-                                                                phi_1530_ = (select(_e1304, _e1356, (_e1356 > _e1304)) < 0f);
+                                                                let _e910 = select(_e845, _e832, (_e832 > _e845));
+                                                                phi_1530_ = (select(_e858, _e910, (_e910 > _e858)) < 0f);
                                                             }
-                                                            let _e1361 = phi_1530_;
-                                                            if _e1361 {
+                                                            let _e915 = phi_1530_;
+                                                            if _e915 {
                                                                 phi_2228_ = type_29();
                                                                 phi_2229_ = false;
                                                             } else {
-                                                                let _e1363 = select(_e1263[1][0], _e1263[0][0], (_e1263[0][0] < _e1263[1][0]));
-                                                                let _e1367 = select(_e1263[1][0], _e1263[0][0], (_e1263[0][0] > _e1263[1][0]));
-                                                                let _e1371 = select(_e1263[1][1], _e1263[0][1], (_e1263[0][1] < _e1263[1][1]));
-                                                                let _e1375 = select(_e1263[1][1], _e1263[0][1], (_e1263[0][1] > _e1263[1][1]));
-                                                                let _e1379 = select(_e1263[1][2], _e1263[0][2], (_e1263[0][2] < _e1263[1][2]));
-                                                                let _e1383 = select(_e1263[1][2], _e1263[0][2], (_e1263[0][2] > _e1263[1][2]));
-                                                                let _e1388 = ((select(_e1263[2][0], _e1363, (_e1363 < _e1263[2][0])) - _e362) * _e367);
-                                                                let _e1389 = ((select(_e1263[2][0], _e1367, (_e1367 > _e1263[2][0])) - _e363) * _e367);
-                                                                let _e1392 = ((select(_e1263[2][1], _e1371, (_e1371 < _e1263[2][1])) - _e430) * _e435);
-                                                                let _e1393 = ((select(_e1263[2][1], _e1375, (_e1375 > _e1263[2][1])) - _e431) * _e435);
-                                                                let _e1396 = ((select(_e1263[2][2], _e1379, (_e1379 < _e1263[2][2])) - _e498) * _e503);
-                                                                let _e1397 = ((select(_e1263[2][2], _e1383, (_e1383 > _e1263[2][2])) - _e499) * _e503);
-                                                                let _e1399 = select(_e1397, _e1396, (_e1396 < _e1397));
-                                                                let _e1401 = select(_e1397, _e1396, (_e1396 > _e1397));
-                                                                let _e1403 = select(_e1389, _e1388, (_e1388 < _e1389));
-                                                                let _e1405 = select(_e1393, _e1392, (_e1392 < _e1393));
-                                                                let _e1407 = select(_e1405, _e1403, (_e1403 > _e1405));
-                                                                let _e1409 = select(_e1399, _e1407, (_e1407 > _e1399));
-                                                                let _e1411 = select(_e1389, _e1388, (_e1388 > _e1389));
-                                                                let _e1413 = select(_e1393, _e1392, (_e1392 > _e1393));
-                                                                let _e1415 = select(_e1413, _e1411, (_e1411 < _e1413));
-                                                                let _e1417 = select(_e1401, _e1415, (_e1415 < _e1401));
-                                                                let _e1418 = -(_e1399);
-                                                                let _e1424 = select(_e615, _e1409, (_e1409 > _e615));
-                                                                if (_e1424 > (_e1417 + (select(_e1418, _e1401, (_e1401 > _e1418)) * 0.0000019073523f))) {
+                                                                let _e917 = select(_e817[1][0], _e817[0][0], (_e817[0][0] < _e817[1][0]));
+                                                                let _e921 = select(_e817[1][0], _e817[0][0], (_e817[0][0] > _e817[1][0]));
+                                                                let _e925 = select(_e817[1][1], _e817[0][1], (_e817[0][1] < _e817[1][1]));
+                                                                let _e929 = select(_e817[1][1], _e817[0][1], (_e817[0][1] > _e817[1][1]));
+                                                                let _e933 = select(_e817[1][2], _e817[0][2], (_e817[0][2] < _e817[1][2]));
+                                                                let _e937 = select(_e817[1][2], _e817[0][2], (_e817[0][2] > _e817[1][2]));
+                                                                let _e942 = ((select(_e817[2][0], _e917, (_e917 < _e817[2][0])) - _e362) * _e367);
+                                                                let _e943 = ((select(_e817[2][0], _e921, (_e921 > _e817[2][0])) - _e363) * _e367);
+                                                                let _e946 = ((select(_e817[2][1], _e925, (_e925 < _e817[2][1])) - _e430) * _e435);
+                                                                let _e947 = ((select(_e817[2][1], _e929, (_e929 > _e817[2][1])) - _e431) * _e435);
+                                                                let _e950 = ((select(_e817[2][2], _e933, (_e933 < _e817[2][2])) - _e498) * _e503);
+                                                                let _e951 = ((select(_e817[2][2], _e937, (_e937 > _e817[2][2])) - _e499) * _e503);
+                                                                let _e953 = select(_e951, _e950, (_e950 < _e951));
+                                                                let _e955 = select(_e951, _e950, (_e950 > _e951));
+                                                                let _e957 = select(_e943, _e942, (_e942 < _e943));
+                                                                let _e959 = select(_e947, _e946, (_e946 < _e947));
+                                                                let _e961 = select(_e959, _e957, (_e957 > _e959));
+                                                                let _e963 = select(_e953, _e961, (_e961 > _e953));
+                                                                let _e965 = select(_e943, _e942, (_e942 > _e943));
+                                                                let _e967 = select(_e947, _e946, (_e946 > _e947));
+                                                                let _e969 = select(_e967, _e965, (_e965 < _e967));
+                                                                let _e971 = select(_e955, _e969, (_e969 < _e955));
+                                                                let _e972 = -(_e953);
+                                                                let _e978 = select(_e615, _e963, (_e963 > _e615));
+                                                                if (_e978 > (_e971 + (select(_e972, _e955, (_e955 > _e972)) * 0.0000019073523f))) {
                                                                     phi_2223_ = type_29();
                                                                     phi_2224_ = true;
                                                                 } else {
-                                                                    let _e1426 = (_e1424 > _e1161.member.member_1);
-                                                                    if _e1426 {
+                                                                    let _e980 = (_e978 > _e715.member.member_1);
+                                                                    if _e980 {
                                                                         phi_2222_ = type_29();
                                                                     } else {
-                                                                        let _e1427 = vec3<f32>(_e1263[0][0], _e1263[0][1], _e1263[0][2]);
-                                                                        let _e1428 = vec3<f32>(_e1263[1][0], _e1263[1][1], _e1263[1][2]);
-                                                                        let _e1429 = vec3<f32>(_e1263[2][0], _e1263[2][1], _e1263[2][2]);
-                                                                        let _e1430 = (_e1263[1][0] - _e1263[0][0]);
-                                                                        let _e1431 = (_e1263[1][1] - _e1263[0][1]);
-                                                                        let _e1432 = (_e1263[1][2] - _e1263[0][2]);
-                                                                        let _e1433 = vec3<f32>(_e1430, _e1431, _e1432);
-                                                                        let _e1434 = (_e1263[2][0] - _e1263[1][0]);
-                                                                        let _e1435 = (_e1263[2][1] - _e1263[1][1]);
-                                                                        let _e1436 = (_e1263[2][2] - _e1263[1][2]);
-                                                                        let _e1437 = vec3<f32>(_e1434, _e1435, _e1436);
-                                                                        let _e1438 = (_e1263[0][0] - _e1263[2][0]);
-                                                                        let _e1439 = (_e1263[0][1] - _e1263[2][1]);
-                                                                        let _e1440 = (_e1263[0][2] - _e1263[2][2]);
-                                                                        let _e1441 = vec3<f32>(_e1438, _e1439, _e1440);
-                                                                        let _e1444 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
-                                                                        let _e1447 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
-                                                                        let _e1449 = select(_e1447, _e1444, (_e1444 > _e1447));
-                                                                        let _e1452 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
-                                                                        let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
-                                                                        let _e1457 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
-                                                                        let _e1460 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
-                                                                        let _e1462 = select(_e1460, _e1457, (_e1457 > _e1460));
-                                                                        let _e1465 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
-                                                                        let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
-                                                                        let _e1470 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
-                                                                        let _e1473 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
-                                                                        let _e1475 = select(_e1473, _e1470, (_e1470 > _e1473));
-                                                                        let _e1478 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
-                                                                        let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
-                                                                        let _e1482 = select(_e1467, _e1454, (_e1454 > _e1467));
-                                                                        let _e1484 = select(_e1480, _e1482, (_e1482 > _e1480));
-                                                                        if (_e1454 == _e1484) {
-                                                                            phi_1949_ = _e1291;
-                                                                            phi_1950_ = _e1288;
-                                                                            phi_1951_ = _e1278;
-                                                                            phi_1952_ = _e1275;
-                                                                            phi_1953_ = _e1427;
-                                                                            phi_1954_ = _e1441;
-                                                                            phi_1955_ = _e1437;
-                                                                            phi_1956_ = _e1433;
+                                                                        let _e981 = vec3<f32>(_e817[0][0], _e817[0][1], _e817[0][2]);
+                                                                        let _e982 = vec3<f32>(_e817[1][0], _e817[1][1], _e817[1][2]);
+                                                                        let _e983 = vec3<f32>(_e817[2][0], _e817[2][1], _e817[2][2]);
+                                                                        let _e984 = (_e817[1][0] - _e817[0][0]);
+                                                                        let _e985 = (_e817[1][1] - _e817[0][1]);
+                                                                        let _e986 = (_e817[1][2] - _e817[0][2]);
+                                                                        let _e987 = vec3<f32>(_e984, _e985, _e986);
+                                                                        let _e988 = (_e817[2][0] - _e817[1][0]);
+                                                                        let _e989 = (_e817[2][1] - _e817[1][1]);
+                                                                        let _e990 = (_e817[2][2] - _e817[1][2]);
+                                                                        let _e991 = vec3<f32>(_e988, _e989, _e990);
+                                                                        let _e992 = (_e817[0][0] - _e817[2][0]);
+                                                                        let _e993 = (_e817[0][1] - _e817[2][1]);
+                                                                        let _e994 = (_e817[0][2] - _e817[2][2]);
+                                                                        let _e995 = vec3<f32>(_e992, _e993, _e994);
+                                                                        let _e998 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
+                                                                        let _e1001 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
+                                                                        let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
+                                                                        let _e1006 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
+                                                                        let _e1008 = select(_e1006, _e1003, (_e1003 > _e1006));
+                                                                        let _e1011 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
+                                                                        let _e1014 = bitcast<f32>((bitcast<u32>(_e989) & 2147483647u));
+                                                                        let _e1016 = select(_e1014, _e1011, (_e1011 > _e1014));
+                                                                        let _e1019 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
+                                                                        let _e1021 = select(_e1019, _e1016, (_e1016 > _e1019));
+                                                                        let _e1024 = bitcast<f32>((bitcast<u32>(_e992) & 2147483647u));
+                                                                        let _e1027 = bitcast<f32>((bitcast<u32>(_e993) & 2147483647u));
+                                                                        let _e1029 = select(_e1027, _e1024, (_e1024 > _e1027));
+                                                                        let _e1032 = bitcast<f32>((bitcast<u32>(_e994) & 2147483647u));
+                                                                        let _e1034 = select(_e1032, _e1029, (_e1029 > _e1032));
+                                                                        let _e1036 = select(_e1021, _e1008, (_e1008 > _e1021));
+                                                                        let _e1038 = select(_e1034, _e1036, (_e1036 > _e1034));
+                                                                        if (_e1008 == _e1038) {
+                                                                            phi_1949_ = _e845;
+                                                                            phi_1950_ = _e842;
+                                                                            phi_1951_ = _e832;
+                                                                            phi_1952_ = _e829;
+                                                                            phi_1953_ = _e981;
+                                                                            phi_1954_ = _e995;
+                                                                            phi_1955_ = _e991;
+                                                                            phi_1956_ = _e987;
                                                                         } else {
-                                                                            let _e1486 = (_e1467 == _e1484);
-                                                                            let _e1491 = vec3(_e1486);
-                                                                            phi_1949_ = select(_e1278, _e1304, _e1486);
-                                                                            phi_1950_ = select(_e1275, _e1301, _e1486);
-                                                                            phi_1951_ = select(_e1304, _e1291, _e1486);
-                                                                            phi_1952_ = select(_e1301, _e1288, _e1486);
-                                                                            phi_1953_ = select(_e1429, _e1428, _e1491);
-                                                                            phi_1954_ = select(_e1437, _e1433, _e1491);
-                                                                            phi_1955_ = select(_e1433, _e1441, _e1491);
-                                                                            phi_1956_ = select(_e1441, _e1437, _e1491);
+                                                                            let _e1040 = (_e1021 == _e1038);
+                                                                            let _e1045 = vec3(_e1040);
+                                                                            phi_1949_ = select(_e832, _e858, _e1040);
+                                                                            phi_1950_ = select(_e829, _e855, _e1040);
+                                                                            phi_1951_ = select(_e858, _e845, _e1040);
+                                                                            phi_1952_ = select(_e855, _e842, _e1040);
+                                                                            phi_1953_ = select(_e983, _e982, _e1045);
+                                                                            phi_1954_ = select(_e991, _e987, _e1045);
+                                                                            phi_1955_ = select(_e987, _e995, _e1045);
+                                                                            phi_1956_ = select(_e995, _e991, _e1045);
                                                                         }
-                                                                        let _e1497 = phi_1949_;
-                                                                        let _e1499 = phi_1950_;
-                                                                        let _e1501 = phi_1951_;
-                                                                        let _e1503 = phi_1952_;
-                                                                        let _e1505 = phi_1953_;
-                                                                        let _e1507 = phi_1954_;
-                                                                        let _e1509 = phi_1955_;
-                                                                        let _e1511 = phi_1956_;
-                                                                        let _e1518 = ((_e1509.y * _e1507.z) - (_e1507.y * _e1509.z));
-                                                                        let _e1523 = ((_e1509.z * _e1507.x) - (_e1507.z * _e1509.x));
-                                                                        let _e1526 = ((_e1509.x * _e1507.y) - (_e1507.x * _e1509.y));
-                                                                        if (_e1326 >= _e1330) {
-                                                                            phi_1993_ = select(true, false, (_e1326 >= _e1334));
+                                                                        let _e1051 = phi_1949_;
+                                                                        let _e1053 = phi_1950_;
+                                                                        let _e1055 = phi_1951_;
+                                                                        let _e1057 = phi_1952_;
+                                                                        let _e1059 = phi_1953_;
+                                                                        let _e1061 = phi_1954_;
+                                                                        let _e1063 = phi_1955_;
+                                                                        let _e1065 = phi_1956_;
+                                                                        let _e1072 = ((_e1063.y * _e1061.z) - (_e1061.y * _e1063.z));
+                                                                        let _e1077 = ((_e1063.z * _e1061.x) - (_e1061.z * _e1063.x));
+                                                                        let _e1080 = ((_e1063.x * _e1061.y) - (_e1061.x * _e1063.y));
+                                                                        if (_e880 >= _e884) {
+                                                                            phi_1993_ = select(true, false, (_e880 >= _e888));
                                                                         } else {
                                                                             phi_1993_ = true;
                                                                         }
-                                                                        let _e1531 = phi_1993_;
-                                                                        if _e1531 {
-                                                                            phi_2002_ = select(_e1429, _e1428, vec3((_e1330 >= _e1334)));
+                                                                        let _e1085 = phi_1993_;
+                                                                        if _e1085 {
+                                                                            phi_2002_ = select(_e983, _e982, vec3((_e884 >= _e888)));
                                                                         } else {
-                                                                            phi_2002_ = _e1427;
+                                                                            phi_2002_ = _e981;
                                                                         }
-                                                                        let _e1536 = phi_2002_;
-                                                                        let _e1547 = (((_e1518 * (_e1536.x - _e324)) + (_e1523 * (_e1536.y - _e393))) + (_e1526 * (_e1536.z - _e461)));
-                                                                        let _e1552 = (((_e1518 * _e364) + (_e1523 * _e432)) + (_e1526 * _e500));
-                                                                        let _e1553 = (_e1499 - _e1503);
-                                                                        let _e1554 = (_e1497 - _e1501);
-                                                                        let _e1562 = (-(((_e1503 * _e1553) + (_e1501 * _e1554))) / ((_e1553 * _e1553) + (_e1554 * _e1554)));
-                                                                        let _e1564 = select(1f, _e1562, (_e1562 < 1f));
-                                                                        let _e1566 = select(0f, _e1564, (_e1564 > 0f));
-                                                                        let _e1579 = ((_e1505.x + (_e1511.x * _e1566)) - _e324);
-                                                                        let _e1580 = ((_e1505.y + (_e1511.y * _e1566)) - _e393);
-                                                                        let _e1581 = ((_e1505.z + (_e1511.z * _e1566)) - _e461);
-                                                                        let _e1582 = (_e1581 / _e500);
-                                                                        let _e1594 = bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u));
-                                                                        let _e1597 = bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u));
-                                                                        let _e1599 = select(_e1597, _e1594, (_e1594 > _e1597));
-                                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u));
-                                                                        let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
-                                                                        let _e1610 = bitcast<f32>((bitcast<u32>(_e1518) & 2147483647u));
-                                                                        let _e1613 = bitcast<f32>((bitcast<u32>(_e1523) & 2147483647u));
-                                                                        let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
-                                                                        let _e1618 = bitcast<f32>((bitcast<u32>(_e1526) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1518 * _e1579) + (_e1523 * _e1580)) + (_e1526 * _e1581)) - _e1547)) & 2147483647u)) <= ((0.0000009536743f * select(_e1484, _e1604, (_e1604 > _e1484))) * select(_e1618, _e1615, (_e1615 > _e1618)))) {
-                                                                            let _e1628 = bitcast<f32>((bitcast<u32>(_e1509.x) & 2147483647u));
-                                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1509.y) & 2147483647u));
-                                                                            let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
-                                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1509.z) & 2147483647u));
-                                                                            let _e1642 = bitcast<f32>((bitcast<u32>(_e1507.x) & 2147483647u));
-                                                                            let _e1645 = bitcast<f32>((bitcast<u32>(_e1507.y) & 2147483647u));
-                                                                            let _e1647 = select(_e1645, _e1642, (_e1642 > _e1645));
-                                                                            let _e1650 = bitcast<f32>((bitcast<u32>(_e1507.z) & 2147483647u));
-                                                                            let _e1654 = (bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u)) > ((0.0000038146973f * select(_e1636, _e1633, (_e1633 > _e1636))) * select(_e1650, _e1647, (_e1647 > _e1650))));
-                                                                            if _e1654 {
-                                                                                phi_2167_ = (_e1547 / _e1552);
+                                                                        let _e1090 = phi_2002_;
+                                                                        let _e1101 = (((_e1072 * (_e1090.x - _e324)) + (_e1077 * (_e1090.y - _e393))) + (_e1080 * (_e1090.z - _e461)));
+                                                                        let _e1106 = (((_e1072 * _e364) + (_e1077 * _e432)) + (_e1080 * _e500));
+                                                                        let _e1107 = (_e1053 - _e1057);
+                                                                        let _e1108 = (_e1051 - _e1055);
+                                                                        let _e1116 = (-(((_e1057 * _e1107) + (_e1055 * _e1108))) / ((_e1107 * _e1107) + (_e1108 * _e1108)));
+                                                                        let _e1118 = select(1f, _e1116, (_e1116 < 1f));
+                                                                        let _e1120 = select(0f, _e1118, (_e1118 > 0f));
+                                                                        let _e1133 = ((_e1059.x + (_e1065.x * _e1120)) - _e324);
+                                                                        let _e1134 = ((_e1059.y + (_e1065.y * _e1120)) - _e393);
+                                                                        let _e1135 = ((_e1059.z + (_e1065.z * _e1120)) - _e461);
+                                                                        let _e1136 = (_e1135 / _e500);
+                                                                        let _e1148 = bitcast<f32>((bitcast<u32>(_e1133) & 2147483647u));
+                                                                        let _e1151 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
+                                                                        let _e1153 = select(_e1151, _e1148, (_e1148 > _e1151));
+                                                                        let _e1156 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
+                                                                        let _e1158 = select(_e1156, _e1153, (_e1153 > _e1156));
+                                                                        let _e1164 = bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u));
+                                                                        let _e1167 = bitcast<f32>((bitcast<u32>(_e1077) & 2147483647u));
+                                                                        let _e1169 = select(_e1167, _e1164, (_e1164 > _e1167));
+                                                                        let _e1172 = bitcast<f32>((bitcast<u32>(_e1080) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1072 * _e1133) + (_e1077 * _e1134)) + (_e1080 * _e1135)) - _e1101)) & 2147483647u)) <= ((0.0000009536743f * select(_e1038, _e1158, (_e1158 > _e1038))) * select(_e1172, _e1169, (_e1169 > _e1172)))) {
+                                                                            let _e1182 = bitcast<f32>((bitcast<u32>(_e1063.x) & 2147483647u));
+                                                                            let _e1185 = bitcast<f32>((bitcast<u32>(_e1063.y) & 2147483647u));
+                                                                            let _e1187 = select(_e1185, _e1182, (_e1182 > _e1185));
+                                                                            let _e1190 = bitcast<f32>((bitcast<u32>(_e1063.z) & 2147483647u));
+                                                                            let _e1196 = bitcast<f32>((bitcast<u32>(_e1061.x) & 2147483647u));
+                                                                            let _e1199 = bitcast<f32>((bitcast<u32>(_e1061.y) & 2147483647u));
+                                                                            let _e1201 = select(_e1199, _e1196, (_e1196 > _e1199));
+                                                                            let _e1204 = bitcast<f32>((bitcast<u32>(_e1061.z) & 2147483647u));
+                                                                            let _e1208 = (bitcast<f32>((bitcast<u32>(_e1106) & 2147483647u)) > ((0.0000038146973f * select(_e1190, _e1187, (_e1187 > _e1190))) * select(_e1204, _e1201, (_e1201 > _e1204))));
+                                                                            if _e1208 {
+                                                                                phi_2167_ = (_e1101 / _e1106);
                                                                             } else {
                                                                                 phi_2167_ = f32();
                                                                             }
-                                                                            let _e1657 = phi_2167_;
-                                                                            phi_2169_ = _e1657;
-                                                                            phi_2170_ = select(true, false, _e1654);
+                                                                            let _e1211 = phi_2167_;
+                                                                            phi_2169_ = _e1211;
+                                                                            phi_2170_ = select(true, false, _e1208);
                                                                         } else {
                                                                             phi_2169_ = f32();
                                                                             phi_2170_ = true;
                                                                         }
-                                                                        let _e1660 = phi_2169_;
-                                                                        let _e1662 = phi_2170_;
-                                                                        if _e1662 {
-                                                                            let _e1670 = (((_e1518 * (_e1579 - (_e364 * _e1582))) + (_e1523 * (_e1580 - (_e432 * _e1582)))) / _e1552);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1670) & 2147483647u)) <= _e1484) {
-                                                                                phi_2190_ = (_e1582 + _e1670);
+                                                                        let _e1214 = phi_2169_;
+                                                                        let _e1216 = phi_2170_;
+                                                                        if _e1216 {
+                                                                            let _e1224 = (((_e1072 * (_e1133 - (_e364 * _e1136))) + (_e1077 * (_e1134 - (_e432 * _e1136)))) / _e1106);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1224) & 2147483647u)) <= _e1038) {
+                                                                                phi_2190_ = (_e1136 + _e1224);
                                                                             } else {
-                                                                                phi_2190_ = _e1582;
+                                                                                phi_2190_ = _e1136;
                                                                             }
-                                                                            let _e1677 = phi_2190_;
-                                                                            phi_2191_ = _e1677;
+                                                                            let _e1231 = phi_2190_;
+                                                                            phi_2191_ = _e1231;
                                                                         } else {
-                                                                            phi_2191_ = _e1660;
+                                                                            phi_2191_ = _e1214;
                                                                         }
-                                                                        let _e1679 = phi_2191_;
-                                                                        let _e1681 = select(_e1417, _e1679, (_e1679 < _e1417));
-                                                                        let _e1683 = select(_e1409, _e1681, (_e1681 > _e1409));
-                                                                        if (_e1683 >= _e615) {
-                                                                            let _e1685 = (_e1683 <= _e1161.member.member_1);
-                                                                            if _e1685 {
-                                                                                let _e1686 = (1f / _e1336);
-                                                                                phi_2214_ = type_29(_e1683, (_e1330 * _e1686), (_e1334 * _e1686), _e1196);
+                                                                        let _e1233 = phi_2191_;
+                                                                        let _e1235 = select(_e971, _e1233, (_e1233 < _e971));
+                                                                        let _e1237 = select(_e963, _e1235, (_e1235 > _e963));
+                                                                        if (_e1237 >= _e615) {
+                                                                            let _e1239 = (_e1237 <= _e715.member.member_1);
+                                                                            if _e1239 {
+                                                                                let _e1240 = (1f / _e890);
+                                                                                phi_2214_ = type_29(_e1237, (_e884 * _e1240), (_e888 * _e1240), _e750);
                                                                             } else {
                                                                                 phi_2214_ = type_29();
                                                                             }
-                                                                            let _e1691 = phi_2214_;
-                                                                            phi_2216_ = _e1691;
-                                                                            phi_2217_ = select(true, false, _e1685);
+                                                                            let _e1245 = phi_2214_;
+                                                                            phi_2216_ = _e1245;
+                                                                            phi_2217_ = select(true, false, _e1239);
                                                                         } else {
                                                                             phi_2216_ = type_29();
                                                                             phi_2217_ = true;
                                                                         }
-                                                                        let _e1694 = phi_2216_;
-                                                                        let _e1696 = phi_2217_;
-                                                                        if _e1696 {
+                                                                        let _e1248 = phi_2216_;
+                                                                        let _e1250 = phi_2217_;
+                                                                        if _e1250 {
                                                                             phi_2221_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2221_ = _e1694;
+                                                                            phi_2221_ = _e1248;
                                                                         }
-                                                                        let _e1698 = phi_2221_;
-                                                                        phi_2222_ = _e1698;
+                                                                        let _e1252 = phi_2221_;
+                                                                        phi_2222_ = _e1252;
                                                                     }
-                                                                    let _e1700 = phi_2222_;
-                                                                    phi_2223_ = _e1700;
-                                                                    phi_2224_ = _e1426;
+                                                                    let _e1254 = phi_2222_;
+                                                                    phi_2223_ = _e1254;
+                                                                    phi_2224_ = _e980;
                                                                 }
-                                                                let _e1702 = phi_2223_;
-                                                                let _e1704 = phi_2224_;
-                                                                phi_2228_ = _e1702;
-                                                                phi_2229_ = _e1704;
+                                                                let _e1256 = phi_2223_;
+                                                                let _e1258 = phi_2224_;
+                                                                phi_2228_ = _e1256;
+                                                                phi_2229_ = _e1258;
                                                             }
-                                                            let _e1706 = phi_2228_;
-                                                            let _e1708 = phi_2229_;
-                                                            phi_2230_ = _e1706;
-                                                            phi_2231_ = _e1361;
-                                                            phi_2232_ = _e1708;
+                                                            let _e1260 = phi_2228_;
+                                                            let _e1262 = phi_2229_;
+                                                            phi_2230_ = _e1260;
+                                                            phi_2231_ = _e915;
+                                                            phi_2232_ = _e1262;
                                                         }
-                                                        let _e1710 = phi_2230_;
-                                                        let _e1712 = phi_2231_;
-                                                        let _e1714 = phi_2232_;
-                                                        phi_2233_ = _e1710;
-                                                        phi_2234_ = _e1712;
-                                                        phi_2235_ = _e1714;
+                                                        let _e1264 = phi_2230_;
+                                                        let _e1266 = phi_2231_;
+                                                        let _e1268 = phi_2232_;
+                                                        phi_2233_ = _e1264;
+                                                        phi_2234_ = _e1266;
+                                                        phi_2235_ = _e1268;
                                                     }
-                                                    let _e1716 = phi_2233_;
-                                                    let _e1718 = phi_2234_;
-                                                    let _e1720 = phi_2235_;
-                                                    phi_2243_ = _e1716;
-                                                    phi_2244_ = select(_e1720, true, _e1718);
+                                                    let _e1270 = phi_2233_;
+                                                    let _e1272 = phi_2234_;
+                                                    let _e1274 = phi_2235_;
+                                                    phi_2243_ = _e1270;
+                                                    phi_2244_ = select(_e1274, true, _e1272);
                                                 } else {
                                                     phi_2243_ = type_29();
                                                     phi_2244_ = true;
                                                 }
-                                                let _e1723 = phi_2243_;
-                                                let _e1725 = phi_2244_;
-                                                if _e1725 {
+                                                let _e1277 = phi_2243_;
+                                                let _e1279 = phi_2244_;
+                                                if _e1279 {
                                                     phi_2248_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2248_ = _e1723;
+                                                    phi_2248_ = _e1277;
                                                 }
-                                                let _e1727 = phi_2248_;
-                                                if (_e1727.member_3 != 4294967295u) {
-                                                    if (_e1196 != 4294967295u) {
-                                                        if (_e1727.member < _e1161.member.member.member) {
+                                                let _e1281 = phi_2248_;
+                                                if (_e1281.member_3 != 4294967295u) {
+                                                    if (_e750 != 4294967295u) {
+                                                        if (_e1281.member < _e715.member.member.member) {
                                                             phi_2274_ = true;
                                                         } else {
-                                                            if (_e1727.member == _e1161.member.member.member) {
-                                                                phi_2273_ = (_e1727.member_3 < _e1161.member.member.member_3);
+                                                            if (_e1281.member == _e715.member.member.member) {
+                                                                phi_2273_ = (_e1281.member_3 < _e715.member.member.member_3);
                                                             } else {
                                                                 phi_2273_ = false;
                                                             }
-                                                            let _e1742 = phi_2273_;
-                                                            phi_2274_ = _e1742;
+                                                            let _e1296 = phi_2273_;
+                                                            phi_2274_ = _e1296;
                                                         }
-                                                        let _e1744 = phi_2274_;
-                                                        if _e1744 {
-                                                            phi_2281_ = type_44(type_38(_e1727, _e1727.member), _e1188.member_1, _e1188.member_2);
+                                                        let _e1298 = phi_2274_;
+                                                        if _e1298 {
+                                                            phi_2281_ = type_44(type_38(_e1281, _e1281.member), _e742.member_1, _e742.member_2);
                                                         } else {
-                                                            phi_2281_ = _e1188;
+                                                            phi_2281_ = _e742;
                                                         }
-                                                        let _e1751 = phi_2281_;
-                                                        phi_2282_ = _e1751;
+                                                        let _e1305 = phi_2281_;
+                                                        phi_2282_ = _e1305;
                                                     } else {
-                                                        phi_2282_ = _e1188;
+                                                        phi_2282_ = _e742;
                                                     }
-                                                    let _e1753 = phi_2282_;
-                                                    phi_2283_ = _e1753;
+                                                    let _e1307 = phi_2282_;
+                                                    phi_2283_ = _e1307;
                                                 } else {
-                                                    phi_2283_ = _e1188;
+                                                    phi_2283_ = _e742;
                                                 }
-                                                let _e1755 = phi_2283_;
-                                                phi_1208_ = _e1755;
+                                                let _e1309 = phi_2283_;
+                                                phi_1208_ = _e1309;
                                             } else {
                                                 phi_1208_ = type_44();
                                             }
-                                            let _e1757 = phi_1208_;
+                                            let _e1311 = phi_1208_;
                                             continue;
                                             continuing {
-                                                phi_1207_ = _e1757;
-                                                phi_1210_ = _e1176;
-                                                phi_3751_ = _e658;
-                                                break if !(_e1182);
+                                                phi_1207_ = _e1311;
+                                                phi_1210_ = _e730;
+                                                phi_3757_ = _e658;
+                                                break if !(_e736);
                                             }
                                         }
-                                        let _e1760 = phi_3751_;
-                                        phi_3911_ = _e1760;
-                                        if _e1760 {
+                                        let _e1314 = phi_3757_;
+                                        phi_3917_ = _e1314;
+                                        if _e1314 {
                                             break;
                                         }
-                                        phi_3915_ = _e1760;
-                                        let _e1938 = local_12;
-                                        phi_3523_ = _e1938;
-                                        phi_3524_ = false;
-                                        phi_3525_ = _e702;
-                                        phi_3526_ = _e704;
+                                        phi_4003_ = _e1314;
+                                        let _e1927 = local_12;
+                                        phi_2284_ = _e1927;
+                                    } else {
+                                        phi_4003_ = _e658;
+                                        phi_2284_ = _e660;
+                                    }
+                                    let _e1316 = phi_4003_;
+                                    let _e1318 = phi_2284_;
+                                    if _e708 {
+                                        phi_3518_ = type_44();
+                                        phi_3519_ = bool();
+                                        phi_3520_ = u32();
+                                        phi_3521_ = type_51();
                                     } else {
                                         if (_e704.member_1 >= _e90) {
-                                            phi_3054_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3050_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e704.member_1 < _e90) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e716 = ((1u + _e260) % 4u);
-                                            if (_e716 < 4u) {
+                                            let _e1322 = ((1u + _e260) % 4u);
+                                            if (_e1322 < 4u) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e721 = global_4.member[_e704.member_1][_e716];
-                                            let _e723 = (_e721 >> bitcast<u32>(11u));
-                                            let _e725 = ((1u + _e259) % 4u);
-                                            if (_e725 < 4u) {
+                                            let _e1327 = global_4.member[_e704.member_1][_e1322];
+                                            let _e1329 = (_e1327 >> bitcast<u32>(11u));
+                                            let _e1331 = ((1u + _e259) % 4u);
+                                            if (_e1331 < 4u) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e730 = global_4.member[_e704.member_1][_e725];
-                                            let _e732 = (_e730 >> bitcast<u32>(11u));
-                                            let _e734 = ((1u + _e261) % 4u);
-                                            if (_e734 < 4u) {
+                                            let _e1336 = global_4.member[_e704.member_1][_e1331];
+                                            let _e1338 = (_e1336 >> bitcast<u32>(11u));
+                                            let _e1340 = ((1u + _e261) % 4u);
+                                            if (_e1340 < 4u) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e739 = global_4.member[_e704.member_1][_e734];
-                                            let _e741 = (_e739 >> bitcast<u32>(11u));
-                                            let _e764 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e765 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e766 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e768 = select(_e140, _e764, (_e764 > _e140));
-                                            let _e770 = select(_e140, _e765, (_e765 > _e140));
-                                            let _e772 = select(_e140, _e766, (_e766 > _e140));
-                                            let _e803 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e721 & 1023u))) - 8388608f) * _e768));
-                                            let _e808 = (bitcast<i32>((_e721 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e811 = bitcast<f32>((_e803 & bitcast<u32>(_e808)));
-                                            let _e812 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 1023u))) - 8388608f) * _e770));
-                                            let _e817 = (bitcast<i32>((_e730 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e820 = bitcast<f32>((_e812 & bitcast<u32>(_e817)));
-                                            let _e821 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e739 & 1023u))) - 8388608f) * _e772));
-                                            let _e826 = (bitcast<i32>((_e739 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e829 = bitcast<f32>((_e821 & bitcast<u32>(_e826)));
-                                            let _e833 = bitcast<f32>((_e803 & bitcast<u32>(~(_e808))));
-                                            let _e837 = bitcast<f32>((_e812 & bitcast<u32>(~(_e817))));
-                                            let _e841 = bitcast<f32>((_e821 & bitcast<u32>(~(_e826))));
-                                            let _e842 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e723 & 1023u))) - 8388608f) * _e768));
-                                            let _e847 = (bitcast<i32>((_e723 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e850 = bitcast<f32>((_e842 & bitcast<u32>(_e847)));
-                                            let _e851 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e732 & 1023u))) - 8388608f) * _e770));
-                                            let _e856 = (bitcast<i32>((_e732 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e859 = bitcast<f32>((_e851 & bitcast<u32>(_e856)));
-                                            let _e860 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e741 & 1023u))) - 8388608f) * _e772));
-                                            let _e865 = (bitcast<i32>((_e741 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e868 = bitcast<f32>((_e860 & bitcast<u32>(_e865)));
-                                            let _e872 = bitcast<f32>((_e842 & bitcast<u32>(~(_e847))));
-                                            let _e876 = bitcast<f32>((_e851 & bitcast<u32>(~(_e856))));
-                                            let _e880 = bitcast<f32>((_e860 & bitcast<u32>(~(_e865))));
-                                            let _e910 = global_4.member[_e704.member_1][0u];
-                                            let _e914 = global_4.member[_e704.member_1][1u];
-                                            let _e918 = global_4.member[_e704.member_1][2u];
-                                            let _e922 = global_4.member[_e704.member_1][3u];
-                                            let _e934 = (((_e914 >> bitcast<u32>(22i)) | ((_e918 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e922 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e935 = (_e910 & 268435455u);
-                                            let _e936 = (_e934 & 268435455u);
-                                            let _e939 = ((_e910 >> bitcast<u32>(28u)) & 7u);
-                                            let _e947 = ((_e910 >> bitcast<u32>(31i)) | (((_e934 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e948 = (_e939 != 0u);
-                                            if (_e939 == 0u) {
-                                                phi_3016_ = _e935;
+                                            let _e1345 = global_4.member[_e704.member_1][_e1340];
+                                            let _e1347 = (_e1345 >> bitcast<u32>(11u));
+                                            let _e1370 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1371 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1372 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1374 = select(_e140, _e1370, (_e1370 > _e140));
+                                            let _e1376 = select(_e140, _e1371, (_e1371 > _e140));
+                                            let _e1378 = select(_e140, _e1372, (_e1372 > _e140));
+                                            let _e1409 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1327 & 1023u))) - 8388608f) * _e1374));
+                                            let _e1414 = (bitcast<i32>((_e1327 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1417 = bitcast<f32>((_e1409 & bitcast<u32>(_e1414)));
+                                            let _e1418 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1336 & 1023u))) - 8388608f) * _e1376));
+                                            let _e1423 = (bitcast<i32>((_e1336 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1426 = bitcast<f32>((_e1418 & bitcast<u32>(_e1423)));
+                                            let _e1427 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1345 & 1023u))) - 8388608f) * _e1378));
+                                            let _e1432 = (bitcast<i32>((_e1345 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1435 = bitcast<f32>((_e1427 & bitcast<u32>(_e1432)));
+                                            let _e1439 = bitcast<f32>((_e1409 & bitcast<u32>(~(_e1414))));
+                                            let _e1443 = bitcast<f32>((_e1418 & bitcast<u32>(~(_e1423))));
+                                            let _e1447 = bitcast<f32>((_e1427 & bitcast<u32>(~(_e1432))));
+                                            let _e1448 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1329 & 1023u))) - 8388608f) * _e1374));
+                                            let _e1453 = (bitcast<i32>((_e1329 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1456 = bitcast<f32>((_e1448 & bitcast<u32>(_e1453)));
+                                            let _e1457 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1338 & 1023u))) - 8388608f) * _e1376));
+                                            let _e1462 = (bitcast<i32>((_e1338 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1465 = bitcast<f32>((_e1457 & bitcast<u32>(_e1462)));
+                                            let _e1466 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1347 & 1023u))) - 8388608f) * _e1378));
+                                            let _e1471 = (bitcast<i32>((_e1347 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1474 = bitcast<f32>((_e1466 & bitcast<u32>(_e1471)));
+                                            let _e1478 = bitcast<f32>((_e1448 & bitcast<u32>(~(_e1453))));
+                                            let _e1482 = bitcast<f32>((_e1457 & bitcast<u32>(~(_e1462))));
+                                            let _e1486 = bitcast<f32>((_e1466 & bitcast<u32>(~(_e1471))));
+                                            let _e1516 = global_4.member[_e704.member_1][0u];
+                                            let _e1520 = global_4.member[_e704.member_1][1u];
+                                            let _e1524 = global_4.member[_e704.member_1][2u];
+                                            let _e1528 = global_4.member[_e704.member_1][3u];
+                                            let _e1540 = (((_e1520 >> bitcast<u32>(22i)) | ((_e1524 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1528 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1541 = (_e1516 & 268435455u);
+                                            let _e1542 = (_e1540 & 268435455u);
+                                            let _e1545 = ((_e1516 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1553 = ((_e1516 >> bitcast<u32>(31i)) | (((_e1540 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1554 = (_e1545 != 0u);
+                                            if (_e1545 == 0u) {
+                                                phi_3012_ = _e1541;
                                             } else {
-                                                if (_e939 == 7u) {
-                                                    phi_3015_ = 2147483648u;
+                                                if (_e1545 == 7u) {
+                                                    phi_3011_ = 2147483648u;
                                                 } else {
-                                                    phi_3015_ = ((2147483648u | (_e939 << bitcast<u32>(28u))) | (_e936 & 268435455u));
+                                                    phi_3011_ = ((2147483648u | (_e1545 << bitcast<u32>(28u))) | (_e1542 & 268435455u));
                                                 }
-                                                let _e957 = phi_3015_;
-                                                phi_3016_ = _e957;
+                                                let _e1563 = phi_3011_;
+                                                phi_3012_ = _e1563;
                                             }
-                                            let _e959 = phi_3016_;
-                                            if _e948 {
-                                                let _e960 = (_e939 != 7u);
-                                                if _e960 {
-                                                    phi_3026_ = (_e936 + _e939);
+                                            let _e1565 = phi_3012_;
+                                            if _e1554 {
+                                                let _e1566 = (_e1545 != 7u);
+                                                if _e1566 {
+                                                    phi_3022_ = (_e1542 + _e1545);
                                                 } else {
-                                                    phi_3026_ = u32();
+                                                    phi_3022_ = u32();
                                                 }
-                                                let _e963 = phi_3026_;
-                                                phi_3028_ = _e963;
-                                                phi_3029_ = select(true, false, _e960);
+                                                let _e1569 = phi_3022_;
+                                                phi_3024_ = _e1569;
+                                                phi_3025_ = select(true, false, _e1566);
                                             } else {
-                                                phi_3028_ = u32();
-                                                phi_3029_ = true;
+                                                phi_3024_ = u32();
+                                                phi_3025_ = true;
                                             }
-                                            let _e966 = phi_3028_;
-                                            let _e968 = phi_3029_;
-                                            if (_e947 == 0u) {
-                                                phi_3050_ = (_e935 + select(0u, 1u, !(_e948)));
+                                            let _e1572 = phi_3024_;
+                                            let _e1574 = phi_3025_;
+                                            if (_e1553 == 0u) {
+                                                phi_3046_ = (_e1541 + select(0u, 1u, !(_e1554)));
                                             } else {
-                                                if (_e947 == 7u) {
-                                                    phi_3049_ = 2147483648u;
+                                                if (_e1553 == 7u) {
+                                                    phi_3045_ = 2147483648u;
                                                 } else {
-                                                    phi_3049_ = ((2147483648u | (_e947 << bitcast<u32>(28u))) | (select(_e966, _e936, _e968) & 268435455u));
+                                                    phi_3045_ = ((2147483648u | (_e1553 << bitcast<u32>(28u))) | (select(_e1572, _e1542, _e1574) & 268435455u));
                                                 }
-                                                let _e981 = phi_3049_;
-                                                phi_3050_ = _e981;
+                                                let _e1587 = phi_3045_;
+                                                phi_3046_ = _e1587;
                                             }
-                                            let _e983 = phi_3050_;
-                                            phi_3054_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e704.member.member.x + _e811), (_e704.member.member.x + _e833), (_e704.member.member_1.x - _e850), (_e704.member.member_1.x - _e872)), vec4<f32>((_e704.member.member.y + _e820), (_e704.member.member.y + _e837), (_e704.member.member_1.y - _e859), (_e704.member.member_1.y - _e876)), vec4<f32>((_e704.member.member.z + _e829), (_e704.member.member.z + _e841), (_e704.member.member_1.z - _e868), (_e704.member.member_1.z - _e880))), type_51(type_33((_e704.member.member + vec4<f32>(_e811, _e820, _e829, 0f)), (_e704.member.member_1 - vec4<f32>(_e850, _e859, _e868, 0f))), _e959), type_51(type_33((_e704.member.member + vec4<f32>(_e833, _e837, _e841, 0f)), (_e704.member.member_1 - vec4<f32>(_e872, _e876, _e880, 0f))), _e983));
+                                            let _e1589 = phi_3046_;
+                                            phi_3050_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e704.member.member.x + _e1417), (_e704.member.member.x + _e1439), (_e704.member.member_1.x - _e1456), (_e704.member.member_1.x - _e1478)), vec4<f32>((_e704.member.member.y + _e1426), (_e704.member.member.y + _e1443), (_e704.member.member_1.y - _e1465), (_e704.member.member_1.y - _e1482)), vec4<f32>((_e704.member.member.z + _e1435), (_e704.member.member.z + _e1447), (_e704.member.member_1.z - _e1474), (_e704.member.member_1.z - _e1486))), type_51(type_33((_e704.member.member + vec4<f32>(_e1417, _e1426, _e1435, 0f)), (_e704.member.member_1 - vec4<f32>(_e1456, _e1465, _e1474, 0f))), _e1565), type_51(type_33((_e704.member.member + vec4<f32>(_e1439, _e1443, _e1447, 0f)), (_e704.member.member_1 - vec4<f32>(_e1478, _e1482, _e1486, 0f))), _e1589));
                                         }
-                                        let _e988 = phi_3054_;
-                                        let _e1007 = ((_e988.member[0].x - _e362) * _e367);
-                                        let _e1008 = ((_e988.member[0].y - _e362) * _e367);
-                                        let _e1009 = ((_e988.member[0].z - _e363) * _e367);
-                                        let _e1010 = ((_e988.member[0].w - _e363) * _e367);
-                                        let _e1020 = ((_e988.member[1].x - _e430) * _e435);
-                                        let _e1021 = ((_e988.member[1].y - _e430) * _e435);
-                                        let _e1022 = ((_e988.member[1].z - _e431) * _e435);
-                                        let _e1023 = ((_e988.member[1].w - _e431) * _e435);
-                                        let _e1033 = ((_e988.member[2].x - _e498) * _e503);
-                                        let _e1034 = ((_e988.member[2].y - _e498) * _e503);
-                                        let _e1035 = ((_e988.member[2].z - _e499) * _e503);
-                                        let _e1036 = ((_e988.member[2].w - _e499) * _e503);
-                                        let _e1038 = select(_e1035, _e1033, (_e1033 < _e1035));
-                                        let _e1040 = select(_e1036, _e1034, (_e1034 < _e1036));
-                                        let _e1042 = select(_e1035, _e1033, (_e1033 > _e1035));
-                                        let _e1044 = select(_e1036, _e1034, (_e1034 > _e1036));
-                                        let _e1046 = select(_e1009, _e1007, (_e1007 < _e1009));
-                                        let _e1048 = select(_e1010, _e1008, (_e1008 < _e1010));
-                                        let _e1050 = select(_e1022, _e1020, (_e1020 < _e1022));
-                                        let _e1052 = select(_e1023, _e1021, (_e1021 < _e1023));
-                                        let _e1054 = select(_e1050, _e1046, (_e1046 > _e1050));
-                                        let _e1056 = select(_e1052, _e1048, (_e1048 > _e1052));
-                                        let _e1058 = select(_e1038, _e1054, (_e1054 > _e1038));
-                                        let _e1060 = select(_e1040, _e1056, (_e1056 > _e1040));
-                                        let _e1062 = select(_e1009, _e1007, (_e1007 > _e1009));
-                                        let _e1064 = select(_e1010, _e1008, (_e1008 > _e1010));
-                                        let _e1066 = select(_e1022, _e1020, (_e1020 > _e1022));
-                                        let _e1068 = select(_e1023, _e1021, (_e1021 > _e1023));
-                                        let _e1070 = select(_e1066, _e1062, (_e1062 < _e1066));
-                                        let _e1072 = select(_e1068, _e1064, (_e1064 < _e1068));
-                                        let _e1077 = -(_e1038);
-                                        let _e1078 = -(_e1040);
-                                        let _e1085 = (select(_e1042, _e1070, (_e1070 < _e1042)) + (select(_e1077, _e1042, (_e1042 > _e1077)) * 0.0000019073523f));
-                                        let _e1086 = (select(_e1044, _e1072, (_e1072 < _e1044)) + (select(_e1078, _e1044, (_e1044 > _e1078)) * 0.0000019073523f));
-                                        let _e1088 = select(_e615, _e1058, (_e1058 > _e615));
-                                        let _e1090 = select(_e615, _e1060, (_e1060 > _e615));
-                                        let _e1095 = (_e1088 <= select(_e660.member.member_1, _e1085, (_e1085 < _e660.member.member_1)));
-                                        let _e1096 = (_e1090 <= select(_e660.member.member_1, _e1086, (_e1086 < _e660.member.member_1)));
-                                        let _e1097 = (_e1088 <= _e1090);
-                                        if _e1095 {
-                                            if _e1096 {
-                                                if _e1097 {
-                                                    phi_3419_ = _e988.member_2;
+                                        let _e1594 = phi_3050_;
+                                        let _e1613 = ((_e1594.member[0].x - _e362) * _e367);
+                                        let _e1614 = ((_e1594.member[0].y - _e362) * _e367);
+                                        let _e1615 = ((_e1594.member[0].z - _e363) * _e367);
+                                        let _e1616 = ((_e1594.member[0].w - _e363) * _e367);
+                                        let _e1626 = ((_e1594.member[1].x - _e430) * _e435);
+                                        let _e1627 = ((_e1594.member[1].y - _e430) * _e435);
+                                        let _e1628 = ((_e1594.member[1].z - _e431) * _e435);
+                                        let _e1629 = ((_e1594.member[1].w - _e431) * _e435);
+                                        let _e1639 = ((_e1594.member[2].x - _e498) * _e503);
+                                        let _e1640 = ((_e1594.member[2].y - _e498) * _e503);
+                                        let _e1641 = ((_e1594.member[2].z - _e499) * _e503);
+                                        let _e1642 = ((_e1594.member[2].w - _e499) * _e503);
+                                        let _e1644 = select(_e1641, _e1639, (_e1639 < _e1641));
+                                        let _e1646 = select(_e1642, _e1640, (_e1640 < _e1642));
+                                        let _e1648 = select(_e1641, _e1639, (_e1639 > _e1641));
+                                        let _e1650 = select(_e1642, _e1640, (_e1640 > _e1642));
+                                        let _e1652 = select(_e1615, _e1613, (_e1613 < _e1615));
+                                        let _e1654 = select(_e1616, _e1614, (_e1614 < _e1616));
+                                        let _e1656 = select(_e1628, _e1626, (_e1626 < _e1628));
+                                        let _e1658 = select(_e1629, _e1627, (_e1627 < _e1629));
+                                        let _e1660 = select(_e1656, _e1652, (_e1652 > _e1656));
+                                        let _e1662 = select(_e1658, _e1654, (_e1654 > _e1658));
+                                        let _e1664 = select(_e1644, _e1660, (_e1660 > _e1644));
+                                        let _e1666 = select(_e1646, _e1662, (_e1662 > _e1646));
+                                        let _e1668 = select(_e1615, _e1613, (_e1613 > _e1615));
+                                        let _e1670 = select(_e1616, _e1614, (_e1614 > _e1616));
+                                        let _e1672 = select(_e1628, _e1626, (_e1626 > _e1628));
+                                        let _e1674 = select(_e1629, _e1627, (_e1627 > _e1629));
+                                        let _e1676 = select(_e1672, _e1668, (_e1668 < _e1672));
+                                        let _e1678 = select(_e1674, _e1670, (_e1670 < _e1674));
+                                        let _e1683 = -(_e1644);
+                                        let _e1684 = -(_e1646);
+                                        let _e1691 = (select(_e1648, _e1676, (_e1676 < _e1648)) + (select(_e1683, _e1648, (_e1648 > _e1683)) * 0.0000019073523f));
+                                        let _e1692 = (select(_e1650, _e1678, (_e1678 < _e1650)) + (select(_e1684, _e1650, (_e1650 > _e1684)) * 0.0000019073523f));
+                                        let _e1694 = select(_e615, _e1664, (_e1664 > _e615));
+                                        let _e1696 = select(_e615, _e1666, (_e1666 > _e615));
+                                        let _e1701 = (_e1694 <= select(_e1318.member.member_1, _e1691, (_e1691 < _e1318.member.member_1)));
+                                        let _e1702 = (_e1696 <= select(_e1318.member.member_1, _e1692, (_e1692 < _e1318.member.member_1)));
+                                        let _e1703 = (_e1694 <= _e1696);
+                                        if _e1701 {
+                                            if _e1702 {
+                                                if _e1703 {
+                                                    phi_3415_ = _e1594.member_2;
                                                 } else {
-                                                    phi_3419_ = _e988.member_1;
+                                                    phi_3415_ = _e1594.member_1;
                                                 }
-                                                let _e1101 = phi_3419_;
-                                                let _e1123 = (_e702 % 128u);
-                                                let _e1124 = (_e1123 < 128u);
-                                                if _e1124 {
+                                                let _e1707 = phi_3415_;
+                                                let _e1728 = (_e702 % 128u);
+                                                let _e1729 = (_e1728 < 128u);
+                                                if _e1729 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1123] = _e1101.member_1;
-                                                if _e1124 {
+                                                local_8[_e1728] = _e1707.member_1;
+                                                if _e1729 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1123] = _e1101.member.member.x;
-                                                if _e1124 {
+                                                local_7[_e1728] = _e1707.member.member.x;
+                                                if _e1729 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1123] = _e1101.member.member.y;
-                                                if _e1124 {
+                                                local_6[_e1728] = _e1707.member.member.y;
+                                                if _e1729 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1123] = _e1101.member.member.z;
-                                                if _e1124 {
+                                                local_5[_e1728] = _e1707.member.member.z;
+                                                if _e1729 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1123] = _e1101.member.member_1.x;
-                                                if _e1124 {
+                                                local_4[_e1728] = _e1707.member.member_1.x;
+                                                if _e1729 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1123] = _e1101.member.member_1.y;
-                                                if _e1124 {
+                                                local_3[_e1728] = _e1707.member.member_1.y;
+                                                if _e1729 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1123] = _e1101.member.member_1.z;
-                                                if _e1124 {
+                                                local_2[_e1728] = _e1707.member.member_1.z;
+                                                if _e1729 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1123] = select(_e1090, _e1088, !(_e1097));
-                                                if _e1097 {
-                                                    phi_3496_ = _e988.member_1;
+                                                local_9[_e1728] = select(_e1694, _e1696, _e1703);
+                                                if _e1703 {
+                                                    phi_3491_ = _e1594.member_1;
                                                 } else {
-                                                    phi_3496_ = _e988.member_2;
+                                                    phi_3491_ = _e1594.member_2;
                                                 }
-                                                let _e1137 = phi_3496_;
-                                                phi_3497_ = (_e702 + 1u);
-                                                phi_3498_ = _e1137;
+                                                let _e1742 = phi_3491_;
+                                                phi_3492_ = (_e702 + 1u);
+                                                phi_3493_ = _e1742;
                                             } else {
-                                                phi_3497_ = u32();
-                                                phi_3498_ = type_51();
+                                                phi_3492_ = u32();
+                                                phi_3493_ = type_51();
                                             }
-                                            let _e1139 = phi_3497_;
-                                            let _e1141 = phi_3498_;
-                                            phi_3500_ = _e1139;
-                                            phi_3501_ = _e1141;
-                                            phi_3502_ = select(true, false, _e1096);
+                                            let _e1744 = phi_3492_;
+                                            let _e1746 = phi_3493_;
+                                            phi_3495_ = _e1744;
+                                            phi_3496_ = _e1746;
+                                            phi_3497_ = select(true, false, _e1702);
                                         } else {
-                                            phi_3500_ = u32();
-                                            phi_3501_ = type_51();
-                                            phi_3502_ = true;
+                                            phi_3495_ = u32();
+                                            phi_3496_ = type_51();
+                                            phi_3497_ = true;
                                         }
-                                        let _e1144 = phi_3500_;
-                                        let _e1146 = phi_3501_;
-                                        let _e1148 = phi_3502_;
-                                        if _e1148 {
-                                            if _e1095 {
-                                                phi_3511_ = _e988.member_1;
+                                        let _e1749 = phi_3495_;
+                                        let _e1751 = phi_3496_;
+                                        let _e1753 = phi_3497_;
+                                        if _e1753 {
+                                            if _e1701 {
+                                                phi_3506_ = _e1594.member_1;
                                             } else {
-                                                phi_3511_ = _e988.member_2;
+                                                phi_3506_ = _e1594.member_2;
                                             }
-                                            let _e1152 = phi_3511_;
-                                            phi_3516_ = select(_e1096, true, _e1095);
-                                            phi_3518_ = _e1152;
+                                            let _e1757 = phi_3506_;
+                                            phi_3511_ = select(_e1702, true, _e1701);
+                                            phi_3513_ = _e1757;
                                         } else {
-                                            phi_3516_ = _e700;
-                                            phi_3518_ = _e1146;
+                                            phi_3511_ = _e700;
+                                            phi_3513_ = _e1751;
                                         }
-                                        let _e1155 = phi_3516_;
-                                        let _e1157 = phi_3518_;
-                                        phi_3915_ = _e658;
-                                        phi_3523_ = type_44(_e660.member, (_e660.member_1 + 1u), _e660.member_2);
-                                        phi_3524_ = _e1155;
-                                        phi_3525_ = select(_e1144, _e702, _e1148);
-                                        phi_3526_ = _e1157;
+                                        let _e1760 = phi_3511_;
+                                        let _e1762 = phi_3513_;
+                                        phi_3518_ = type_44(_e1318.member, (_e1318.member_1 + 1u), _e1318.member_2);
+                                        phi_3519_ = _e1760;
+                                        phi_3520_ = select(_e1749, _e702, _e1753);
+                                        phi_3521_ = _e1762;
                                     }
-                                    let _e1762 = phi_3915_;
-                                    let _e1764 = phi_3523_;
-                                    let _e1766 = phi_3524_;
-                                    let _e1768 = phi_3525_;
-                                    let _e1770 = phi_3526_;
-                                    phi_3914_ = _e1762;
-                                    phi_3527_ = _e1764;
-                                    phi_3528_ = _e1766;
-                                    phi_3529_ = (_e664 - 1u);
-                                    phi_3530_ = _e1768;
-                                    phi_3531_ = _e1770;
+                                    let _e1765 = phi_3518_;
+                                    let _e1767 = phi_3519_;
+                                    let _e1769 = phi_3520_;
+                                    let _e1771 = phi_3521_;
+                                    if _e708 {
+                                        phi_3529_ = _e1318;
+                                        phi_3532_ = _e704;
+                                    } else {
+                                        phi_3529_ = _e1765;
+                                        phi_3532_ = _e1771;
+                                    }
+                                    let _e1773 = phi_3529_;
+                                    let _e1775 = phi_3532_;
+                                    phi_3920_ = _e1316;
+                                    phi_3533_ = _e1773;
+                                    phi_3534_ = (_e662 - 1u);
+                                    phi_3535_ = select(_e1767, false, _e708);
+                                    phi_3536_ = select(_e1769, _e702, _e708);
+                                    phi_3537_ = _e1775;
                                 } else {
-                                    phi_3914_ = _e658;
-                                    phi_3527_ = _e660;
-                                    phi_3528_ = _e700;
-                                    phi_3529_ = _e664;
-                                    phi_3530_ = _e702;
-                                    phi_3531_ = _e704;
+                                    phi_3920_ = _e658;
+                                    phi_3533_ = _e660;
+                                    phi_3534_ = _e662;
+                                    phi_3535_ = _e700;
+                                    phi_3536_ = _e702;
+                                    phi_3537_ = _e704;
                                 }
-                                let _e1772 = phi_3914_;
-                                let _e1774 = phi_3527_;
-                                let _e1776 = phi_3528_;
-                                let _e1778 = phi_3529_;
-                                let _e1780 = phi_3530_;
-                                let _e1782 = phi_3531_;
-                                phi_3913_ = _e1772;
-                                phi_3532_ = _e1774;
-                                phi_3533_ = _e1776;
-                                phi_3534_ = _e1778;
-                                phi_3535_ = _e1780;
-                                phi_3536_ = _e1782;
+                                let _e1779 = phi_3920_;
+                                let _e1781 = phi_3533_;
+                                let _e1783 = phi_3534_;
+                                let _e1785 = phi_3535_;
+                                let _e1787 = phi_3536_;
+                                let _e1789 = phi_3537_;
+                                phi_3919_ = _e1779;
+                                phi_3538_ = _e1781;
+                                phi_3539_ = _e1783;
+                                phi_3540_ = _e1785;
+                                phi_3541_ = _e1787;
+                                phi_3542_ = _e1789;
                             } else {
-                                phi_3913_ = _e658;
-                                phi_3532_ = type_44();
-                                phi_3533_ = bool();
-                                phi_3534_ = u32();
-                                phi_3535_ = u32();
-                                phi_3536_ = type_51();
+                                phi_3919_ = _e658;
+                                phi_3538_ = type_44();
+                                phi_3539_ = u32();
+                                phi_3540_ = bool();
+                                phi_3541_ = u32();
+                                phi_3542_ = type_51();
                             }
-                            let _e1784 = phi_3913_;
-                            let _e1786 = phi_3532_;
-                            let _e1788 = phi_3533_;
-                            let _e1790 = phi_3534_;
-                            let _e1792 = phi_3535_;
-                            let _e1794 = phi_3536_;
-                            phi_3912_ = _e1784;
-                            phi_1082_ = _e1786;
-                            phi_1085_ = _e1788;
-                            phi_1087_ = _e1790;
-                            phi_1089_ = _e1792;
-                            phi_1091_ = _e1794;
-                            phi_3537_ = _e672;
+                            let _e1791 = phi_3919_;
+                            let _e1793 = phi_3538_;
+                            let _e1795 = phi_3539_;
+                            let _e1797 = phi_3540_;
+                            let _e1799 = phi_3541_;
+                            let _e1801 = phi_3542_;
+                            phi_3918_ = _e1791;
+                            phi_1082_ = _e1793;
+                            phi_1085_ = _e1795;
+                            phi_1087_ = _e1797;
+                            phi_1089_ = _e1799;
+                            phi_1091_ = _e1801;
+                            phi_3543_ = _e672;
                         } else {
-                            phi_3912_ = _e658;
+                            phi_3918_ = _e658;
                             phi_1082_ = type_44();
-                            phi_1085_ = bool();
-                            phi_1087_ = u32();
+                            phi_1085_ = u32();
+                            phi_1087_ = bool();
                             phi_1089_ = u32();
                             phi_1091_ = type_51();
-                            phi_3537_ = false;
+                            phi_3543_ = false;
                         }
-                        let _e1796 = phi_3912_;
-                        let _e1798 = phi_1082_;
-                        let _e1800 = phi_1085_;
-                        let _e1802 = phi_1087_;
-                        let _e1804 = phi_1089_;
-                        let _e1806 = phi_1091_;
-                        let _e1808 = phi_3537_;
+                        let _e1803 = phi_3918_;
+                        let _e1805 = phi_1082_;
+                        let _e1807 = phi_1085_;
+                        let _e1809 = phi_1087_;
+                        let _e1811 = phi_1089_;
+                        let _e1813 = phi_1091_;
+                        let _e1815 = phi_3543_;
                         continue;
                         continuing {
-                            phi_3757_ = _e1796;
-                            phi_1081_ = _e1798;
-                            phi_1084_ = _e1800;
-                            phi_1086_ = _e1802;
-                            phi_1088_ = _e1804;
-                            phi_1090_ = _e1806;
-                            phi_3911_ = _e1796;
-                            break if !(_e1808);
+                            phi_3763_ = _e1803;
+                            phi_1081_ = _e1805;
+                            phi_1084_ = _e1807;
+                            phi_1086_ = _e1809;
+                            phi_1088_ = _e1811;
+                            phi_1090_ = _e1813;
+                            phi_3917_ = _e1803;
+                            break if !(_e1815);
                         }
                     }
-                    let _e1811 = phi_3911_;
-                    if _e1811 {
+                    let _e1818 = phi_3917_;
+                    if _e1818 {
                         break;
                     }
-                    let _e1813 = local_10;
-                    let _e1816 = local_11;
+                    let _e1820 = local_10;
+                    let _e1823 = local_11;
                     if _e148 {
                     } else {
                         break;
                     }
-                    global_6.member[_e146][0u] = _e1813.member_1;
-                    global_6.member[_e146][1u] = _e1816.member_2;
+                    global_6.member[_e146][0u] = _e1820.member_1;
+                    global_6.member[_e146][1u] = _e1823.member_2;
                 }
             }
             break;

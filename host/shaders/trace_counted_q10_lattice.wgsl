@@ -128,36 +128,16 @@ fn function_() {
     var phi_988_: u32;
     var phi_996_: f32;
     var phi_997_: f32;
-    var phi_4431_: bool;
+    var phi_4437_: bool;
     var phi_1094_: type_43;
-    var phi_1097_: bool;
-    var phi_1099_: u32;
+    var phi_1097_: u32;
+    var phi_1099_: bool;
     var phi_1101_: u32;
     var phi_1103_: type_50;
     var phi_1114_: bool;
     var phi_1200_: bool;
     var phi_1201_: u32;
     var phi_1202_: type_50;
-    var phi_3429_: u32;
-    var phi_3435_: u32;
-    var phi_3689_: u32;
-    var phi_3690_: u32;
-    var phi_3700_: u32;
-    var phi_3702_: u32;
-    var phi_3703_: bool;
-    var phi_3723_: u32;
-    var phi_3724_: u32;
-    var phi_3728_: type_51;
-    var phi_4093_: type_50;
-    var phi_4170_: type_50;
-    var phi_4171_: u32;
-    var phi_4172_: type_50;
-    var phi_4174_: u32;
-    var phi_4175_: type_50;
-    var phi_4176_: bool;
-    var phi_4185_: type_50;
-    var phi_4190_: bool;
-    var phi_4192_: type_50;
     var phi_1221_: type_43;
     var phi_1224_: type_8;
     var phi_1225_: type_8;
@@ -237,32 +217,55 @@ fn function_() {
     var phi_2921_: type_43;
     var phi_2922_: type_43;
     var phi_1222_: type_43;
-    var phi_4425_: bool;
-    var phi_4636_: bool;
-    var phi_4197_: type_43;
-    var phi_4198_: bool;
-    var phi_4199_: u32;
-    var phi_4200_: type_50;
-    var phi_4635_: bool;
-    var phi_4201_: type_43;
-    var phi_4202_: bool;
-    var phi_4203_: u32;
-    var phi_4204_: u32;
-    var phi_4205_: type_50;
-    var phi_4634_: bool;
-    var phi_4206_: type_43;
-    var phi_4207_: bool;
+    var phi_4431_: bool;
+    var phi_4729_: bool;
+    var phi_2923_: type_43;
+    var phi_3425_: u32;
+    var phi_3431_: u32;
+    var phi_3685_: u32;
+    var phi_3686_: u32;
+    var phi_3696_: u32;
+    var phi_3698_: u32;
+    var phi_3699_: bool;
+    var phi_3719_: u32;
+    var phi_3720_: u32;
+    var phi_3724_: type_51;
+    var phi_4089_: type_50;
+    var phi_4165_: type_50;
+    var phi_4166_: u32;
+    var phi_4167_: type_50;
+    var phi_4169_: u32;
+    var phi_4170_: type_50;
+    var phi_4171_: bool;
+    var phi_4180_: type_50;
+    var phi_4185_: bool;
+    var phi_4187_: type_50;
+    var phi_4192_: type_43;
+    var phi_4193_: bool;
+    var phi_4194_: u32;
+    var phi_4195_: type_50;
+    var phi_4203_: type_43;
+    var phi_4206_: type_50;
+    var phi_4641_: bool;
+    var phi_4207_: type_43;
     var phi_4208_: u32;
-    var phi_4209_: u32;
-    var phi_4210_: type_50;
-    var phi_4633_: bool;
+    var phi_4209_: bool;
+    var phi_4210_: u32;
+    var phi_4211_: type_50;
+    var phi_4640_: bool;
+    var phi_4212_: type_43;
+    var phi_4213_: u32;
+    var phi_4214_: bool;
+    var phi_4215_: u32;
+    var phi_4216_: type_50;
+    var phi_4639_: bool;
     var phi_1095_: type_43;
-    var phi_1098_: bool;
-    var phi_1100_: u32;
+    var phi_1098_: u32;
+    var phi_1100_: bool;
     var phi_1102_: u32;
     var phi_1104_: type_50;
-    var phi_4211_: bool;
-    var phi_4632_: bool;
+    var phi_4217_: bool;
+    var phi_4638_: bool;
     var local_10: type_43;
     var local_11: type_43;
     var local_12: type_43;
@@ -629,14 +632,14 @@ fn function_() {
                         break;
                     }
                     let _e655 = local[_e639];
-                    phi_4431_ = false;
+                    phi_4437_ = false;
                     phi_1094_ = type_43(type_37(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e620), 0u, 0u);
-                    phi_1097_ = (_e622 <= _e620);
-                    phi_1099_ = ((3u * _e96) + 1u);
+                    phi_1097_ = ((3u * _e96) + 1u);
+                    phi_1099_ = (_e622 <= _e620);
                     phi_1101_ = 0u;
                     phi_1103_ = type_50(type_32(vec4<f32>((f32(_e630) * _e147), (f32(_e636) * _e147), (f32(_e642) * _e147), 0f), vec4<f32>((f32(_e647) * _e147), (f32(_e651) * _e147), (f32(_e655) * _e147), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
                     loop {
-                        let _e665 = phi_4431_;
+                        let _e665 = phi_4437_;
                         let _e667 = phi_1094_;
                         let _e669 = phi_1097_;
                         let _e671 = phi_1099_;
@@ -644,17 +647,17 @@ fn function_() {
                         let _e675 = phi_1103_;
                         local_10 = _e667;
                         local_11 = _e667;
-                        if _e669 {
+                        if _e671 {
                             phi_1114_ = true;
                         } else {
                             phi_1114_ = (_e673 > 0u);
                         }
                         let _e678 = phi_1114_;
                         if _e678 {
-                            let _e679 = (_e671 > 0u);
+                            let _e679 = (_e669 > 0u);
                             if _e679 {
-                                if _e669 {
-                                    phi_1200_ = _e669;
+                                if _e671 {
+                                    phi_1200_ = _e671;
                                     phi_1201_ = _e673;
                                     phi_1202_ = _e675;
                                 } else {
@@ -663,49 +666,49 @@ fn function_() {
                                     let _e682 = (_e681 < 128u);
                                     if _e682 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e684 = local_7[_e681];
                                     if _e682 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e686 = local_6[_e681];
                                     if _e682 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e688 = local_5[_e681];
                                     if _e682 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e690 = local_4[_e681];
                                     if _e682 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e692 = local_3[_e681];
                                     if _e682 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e694 = local_2[_e681];
                                     if _e682 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e699 = local_8[_e681];
                                     if _e682 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e702 = local_9[_e681];
@@ -717,39 +720,40 @@ fn function_() {
                                 let _e709 = phi_1201_;
                                 let _e711 = phi_1202_;
                                 if _e707 {
+                                    let _e715 = ((_e711.member_1 & 2147483648u) != 0u);
                                     let _e716 = (_e711.member_1 & 268435455u);
-                                    if ((_e711.member_1 & 2147483648u) != 0u) {
+                                    if _e715 {
                                         phi_1221_ = _e667;
                                         phi_1224_ = type_8(0u, ((_e711.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1189 = phi_1221_;
-                                            let _e1191 = phi_1224_;
-                                            local_12 = _e1189;
-                                            if (_e1191.member < _e1191.member_1) {
-                                                phi_1225_ = type_8((_e1191.member + 1u), _e1191.member_1);
-                                                phi_1247_ = type_8(1u, _e1191.member);
+                                            let _e723 = phi_1221_;
+                                            let _e725 = phi_1224_;
+                                            local_12 = _e723;
+                                            if (_e725.member < _e725.member_1) {
+                                                phi_1225_ = type_8((_e725.member + 1u), _e725.member_1);
+                                                phi_1247_ = type_8(1u, _e725.member);
                                             } else {
-                                                phi_1225_ = _e1191;
+                                                phi_1225_ = _e725;
                                                 phi_1247_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1204 = phi_1225_;
-                                            let _e1206 = phi_1247_;
-                                            let _e1210 = (bitcast<i32>(_e1206.member) != 0i);
-                                            if _e1210 {
-                                                let _e1216 = type_43(_e1189.member, _e1189.member_1, (_e1189.member_2 + 1u));
-                                                let _e1221 = (_e711.member.member_1.x - _e711.member.member.x);
-                                                let _e1224 = (_e711.member.member_1.y - _e711.member.member.y);
-                                                let _e1227 = (_e711.member.member_1.z - _e711.member.member.z);
-                                                let _e1229 = select(_e1224, _e1221, (_e1221 > _e1224));
-                                                let _e1231 = select(_e1227, _e1229, (_e1229 > _e1227));
-                                                let _e1233 = (_e1231 < (1024f * _e147));
-                                                if _e1233 {
+                                            let _e738 = phi_1225_;
+                                            let _e740 = phi_1247_;
+                                            let _e744 = (bitcast<i32>(_e740.member) != 0i);
+                                            if _e744 {
+                                                let _e750 = type_43(_e723.member, _e723.member_1, (_e723.member_2 + 1u));
+                                                let _e755 = (_e711.member.member_1.x - _e711.member.member.x);
+                                                let _e758 = (_e711.member.member_1.y - _e711.member.member.y);
+                                                let _e761 = (_e711.member.member_1.z - _e711.member.member.z);
+                                                let _e763 = select(_e758, _e755, (_e755 > _e758));
+                                                let _e765 = select(_e761, _e763, (_e763 > _e761));
+                                                let _e767 = (_e765 < (1024f * _e147));
+                                                if _e767 {
                                                     phi_1291_ = 0u;
                                                 } else {
-                                                    phi_1291_ = select(2u, 1u, (_e1231 < (2097152f * _e147)));
+                                                    phi_1291_ = select(2u, 1u, (_e765 < (2097152f * _e147)));
                                                 }
-                                                let _e1238 = phi_1291_;
-                                                switch bitcast<i32>(_e1238) {
+                                                let _e772 = phi_1291_;
+                                                switch bitcast<i32>(_e772) {
                                                     case 0: {
                                                         phi_1297_ = 1u;
                                                         break;
@@ -767,8 +771,8 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1241 = phi_1297_;
-                                                switch bitcast<i32>(_e1238) {
+                                                let _e775 = phi_1297_;
+                                                switch bitcast<i32>(_e772) {
                                                     case 0: {
                                                         phi_1307_ = 1u;
                                                         break;
@@ -786,28 +790,28 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1248 = phi_1307_;
-                                                let _e1250 = ((_e716 + (_e1206.member_1 * ((3u * _e1241) + 1u))) + (3u * _e1248));
-                                                let _e1251 = (_e1250 < _e99);
-                                                if _e1251 {
-                                                    if _e1251 {
+                                                let _e782 = phi_1307_;
+                                                let _e784 = ((_e716 + (_e740.member_1 * ((3u * _e775) + 1u))) + (3u * _e782));
+                                                let _e785 = (_e784 < _e99);
+                                                if _e785 {
+                                                    if _e785 {
                                                     } else {
-                                                        phi_4425_ = true;
+                                                        phi_4431_ = true;
                                                         break;
                                                     }
-                                                    let _e1253 = global_5.member[_e1250];
-                                                    phi_1323_ = _e1253;
+                                                    let _e787 = global_5.member[_e784];
+                                                    phi_1323_ = _e787;
                                                 } else {
                                                     phi_1323_ = 4294967295u;
                                                 }
-                                                let _e1255 = phi_1323_;
-                                                if _e1233 {
+                                                let _e789 = phi_1323_;
+                                                if _e767 {
                                                     phi_1356_ = 0u;
                                                 } else {
-                                                    phi_1356_ = select(2u, 1u, (_e1231 < (2097152f * _e147)));
+                                                    phi_1356_ = select(2u, 1u, (_e765 < (2097152f * _e147)));
                                                 }
-                                                let _e1260 = phi_1356_;
-                                                switch bitcast<i32>(_e1260) {
+                                                let _e794 = phi_1356_;
+                                                switch bitcast<i32>(_e794) {
                                                     case 0: {
                                                         phi_1362_ = 1u;
                                                         break;
@@ -825,331 +829,331 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1263 = phi_1362_;
-                                                let _e1267 = (_e716 + (_e1206.member_1 * ((3u * _e1263) + 1u)));
-                                                switch bitcast<i32>(_e1260) {
+                                                let _e797 = phi_1362_;
+                                                let _e801 = (_e716 + (_e740.member_1 * ((3u * _e797) + 1u)));
+                                                switch bitcast<i32>(_e794) {
                                                     case 0: {
-                                                        let _e1542 = (_e1267 < _e99);
-                                                        if _e1542 {
-                                                            if _e1542 {
+                                                        let _e1076 = (_e801 < _e99);
+                                                        if _e1076 {
+                                                            if _e1076 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1544 = global_5.member[_e1267];
-                                                            phi_1389_ = _e1544;
+                                                            let _e1078 = global_5.member[_e801];
+                                                            phi_1389_ = _e1078;
                                                         } else {
                                                             phi_1389_ = 0u;
                                                         }
-                                                        let _e1546 = phi_1389_;
-                                                        let _e1548 = ((10u * _e267) & 31u);
-                                                        let _e1558 = ((10u * _e266) & 31u);
-                                                        let _e1568 = ((10u * _e268) & 31u);
-                                                        let _e1578 = (_e1267 + 1u);
-                                                        let _e1579 = (_e1578 < _e99);
-                                                        if _e1579 {
-                                                            if _e1579 {
+                                                        let _e1080 = phi_1389_;
+                                                        let _e1082 = ((10u * _e267) & 31u);
+                                                        let _e1092 = ((10u * _e266) & 31u);
+                                                        let _e1102 = ((10u * _e268) & 31u);
+                                                        let _e1112 = (_e801 + 1u);
+                                                        let _e1113 = (_e1112 < _e99);
+                                                        if _e1113 {
+                                                            if _e1113 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1581 = global_5.member[_e1578];
-                                                            phi_1438_ = _e1581;
+                                                            let _e1115 = global_5.member[_e1112];
+                                                            phi_1438_ = _e1115;
                                                         } else {
                                                             phi_1438_ = 0u;
                                                         }
-                                                        let _e1583 = phi_1438_;
-                                                        let _e1609 = (_e1267 + 2u);
-                                                        let _e1610 = (_e1609 < _e99);
-                                                        if _e1610 {
-                                                            if _e1610 {
+                                                        let _e1117 = phi_1438_;
+                                                        let _e1143 = (_e801 + 2u);
+                                                        let _e1144 = (_e1143 < _e99);
+                                                        if _e1144 {
+                                                            if _e1144 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1612 = global_5.member[_e1609];
-                                                            phi_1487_ = _e1612;
+                                                            let _e1146 = global_5.member[_e1143];
+                                                            phi_1487_ = _e1146;
                                                         } else {
                                                             phi_1487_ = 0u;
                                                         }
-                                                        let _e1614 = phi_1487_;
-                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | ((_e1546 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | ((_e1546 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | ((_e1546 >> bitcast<u32>(_e1568)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | ((_e1583 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | ((_e1583 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | ((_e1583 >> bitcast<u32>(_e1568)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | ((_e1614 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | ((_e1614 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | ((_e1614 >> bitcast<u32>(_e1568)) & 1023u))) - 8388608f) * _e147))));
+                                                        let _e1148 = phi_1487_;
+                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | ((_e1080 >> bitcast<u32>(_e1082)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | ((_e1080 >> bitcast<u32>(_e1092)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | ((_e1080 >> bitcast<u32>(_e1102)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | ((_e1117 >> bitcast<u32>(_e1082)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | ((_e1117 >> bitcast<u32>(_e1092)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | ((_e1117 >> bitcast<u32>(_e1102)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | ((_e1148 >> bitcast<u32>(_e1082)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | ((_e1148 >> bitcast<u32>(_e1092)) & 1023u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | ((_e1148 >> bitcast<u32>(_e1102)) & 1023u))) - 8388608f) * _e147))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1356 = (_e1267 < _e99);
-                                                        if _e1356 {
-                                                            if _e1356 {
+                                                        let _e890 = (_e801 < _e99);
+                                                        if _e890 {
+                                                            if _e890 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1358 = global_5.member[_e1267];
-                                                            phi_1536_ = _e1358;
+                                                            let _e892 = global_5.member[_e801];
+                                                            phi_1536_ = _e892;
                                                         } else {
                                                             phi_1536_ = 0u;
                                                         }
-                                                        let _e1360 = phi_1536_;
-                                                        let _e1361 = (_e1267 + 1u);
-                                                        let _e1362 = (_e1361 < _e99);
-                                                        if _e1362 {
-                                                            if _e1362 {
+                                                        let _e894 = phi_1536_;
+                                                        let _e895 = (_e801 + 1u);
+                                                        let _e896 = (_e895 < _e99);
+                                                        if _e896 {
+                                                            if _e896 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1364 = global_5.member[_e1361];
-                                                            phi_1551_ = _e1364;
+                                                            let _e898 = global_5.member[_e895];
+                                                            phi_1551_ = _e898;
                                                         } else {
                                                             phi_1551_ = 0u;
                                                         }
-                                                        let _e1366 = phi_1551_;
-                                                        let _e1367 = (_e267 == 1u);
-                                                        if _e1367 {
-                                                            phi_1561_ = ((_e1360 >> bitcast<u32>(21i)) | (_e1366 << bitcast<u32>(11i)));
+                                                        let _e900 = phi_1551_;
+                                                        let _e901 = (_e267 == 1u);
+                                                        if _e901 {
+                                                            phi_1561_ = ((_e894 >> bitcast<u32>(21i)) | (_e900 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1561_ = (_e1366 >> bitcast<u32>(10i));
+                                                            phi_1561_ = (_e900 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1376 = phi_1561_;
-                                                        let _e1384 = (_e266 == 1u);
-                                                        if _e1384 {
-                                                            phi_1582_ = ((_e1360 >> bitcast<u32>(21i)) | (_e1366 << bitcast<u32>(11i)));
+                                                        let _e910 = phi_1561_;
+                                                        let _e918 = (_e266 == 1u);
+                                                        if _e918 {
+                                                            phi_1582_ = ((_e894 >> bitcast<u32>(21i)) | (_e900 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1582_ = (_e1366 >> bitcast<u32>(10i));
+                                                            phi_1582_ = (_e900 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1393 = phi_1582_;
-                                                        let _e1401 = (_e268 == 1u);
-                                                        if _e1401 {
-                                                            phi_1603_ = ((_e1360 >> bitcast<u32>(21i)) | (_e1366 << bitcast<u32>(11i)));
+                                                        let _e927 = phi_1582_;
+                                                        let _e935 = (_e268 == 1u);
+                                                        if _e935 {
+                                                            phi_1603_ = ((_e894 >> bitcast<u32>(21i)) | (_e900 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1603_ = (_e1366 >> bitcast<u32>(10i));
+                                                            phi_1603_ = (_e900 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1410 = phi_1603_;
-                                                        let _e1419 = (_e1267 + 2u);
-                                                        let _e1420 = (_e1419 < _e99);
-                                                        if _e1420 {
-                                                            if _e1420 {
+                                                        let _e944 = phi_1603_;
+                                                        let _e953 = (_e801 + 2u);
+                                                        let _e954 = (_e953 < _e99);
+                                                        if _e954 {
+                                                            if _e954 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1422 = global_5.member[_e1419];
-                                                            phi_1633_ = _e1422;
+                                                            let _e956 = global_5.member[_e953];
+                                                            phi_1633_ = _e956;
                                                         } else {
                                                             phi_1633_ = 0u;
                                                         }
-                                                        let _e1424 = phi_1633_;
-                                                        let _e1425 = (_e1267 + 3u);
-                                                        let _e1426 = (_e1425 < _e99);
-                                                        if _e1426 {
-                                                            if _e1426 {
+                                                        let _e958 = phi_1633_;
+                                                        let _e959 = (_e801 + 3u);
+                                                        let _e960 = (_e959 < _e99);
+                                                        if _e960 {
+                                                            if _e960 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1428 = global_5.member[_e1425];
-                                                            phi_1648_ = _e1428;
+                                                            let _e962 = global_5.member[_e959];
+                                                            phi_1648_ = _e962;
                                                         } else {
                                                             phi_1648_ = 0u;
                                                         }
-                                                        let _e1430 = phi_1648_;
-                                                        if _e1367 {
-                                                            phi_1658_ = ((_e1424 >> bitcast<u32>(21i)) | (_e1430 << bitcast<u32>(11i)));
+                                                        let _e964 = phi_1648_;
+                                                        if _e901 {
+                                                            phi_1658_ = ((_e958 >> bitcast<u32>(21i)) | (_e964 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1658_ = (_e1430 >> bitcast<u32>(10i));
+                                                            phi_1658_ = (_e964 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1439 = phi_1658_;
-                                                        if _e1384 {
-                                                            phi_1679_ = ((_e1424 >> bitcast<u32>(21i)) | (_e1430 << bitcast<u32>(11i)));
+                                                        let _e973 = phi_1658_;
+                                                        if _e918 {
+                                                            phi_1679_ = ((_e958 >> bitcast<u32>(21i)) | (_e964 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1679_ = (_e1430 >> bitcast<u32>(10i));
+                                                            phi_1679_ = (_e964 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1455 = phi_1679_;
-                                                        if _e1401 {
-                                                            phi_1700_ = ((_e1424 >> bitcast<u32>(21i)) | (_e1430 << bitcast<u32>(11i)));
+                                                        let _e989 = phi_1679_;
+                                                        if _e935 {
+                                                            phi_1700_ = ((_e958 >> bitcast<u32>(21i)) | (_e964 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1700_ = (_e1430 >> bitcast<u32>(10i));
+                                                            phi_1700_ = (_e964 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1471 = phi_1700_;
-                                                        let _e1480 = (_e1267 + 4u);
-                                                        let _e1481 = (_e1480 < _e99);
-                                                        if _e1481 {
-                                                            if _e1481 {
+                                                        let _e1005 = phi_1700_;
+                                                        let _e1014 = (_e801 + 4u);
+                                                        let _e1015 = (_e1014 < _e99);
+                                                        if _e1015 {
+                                                            if _e1015 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1483 = global_5.member[_e1480];
-                                                            phi_1730_ = _e1483;
+                                                            let _e1017 = global_5.member[_e1014];
+                                                            phi_1730_ = _e1017;
                                                         } else {
                                                             phi_1730_ = 0u;
                                                         }
-                                                        let _e1485 = phi_1730_;
-                                                        let _e1486 = (_e1267 + 5u);
-                                                        let _e1487 = (_e1486 < _e99);
-                                                        if _e1487 {
-                                                            if _e1487 {
+                                                        let _e1019 = phi_1730_;
+                                                        let _e1020 = (_e801 + 5u);
+                                                        let _e1021 = (_e1020 < _e99);
+                                                        if _e1021 {
+                                                            if _e1021 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1489 = global_5.member[_e1486];
-                                                            phi_1745_ = _e1489;
+                                                            let _e1023 = global_5.member[_e1020];
+                                                            phi_1745_ = _e1023;
                                                         } else {
                                                             phi_1745_ = 0u;
                                                         }
-                                                        let _e1491 = phi_1745_;
-                                                        if _e1367 {
-                                                            phi_1755_ = ((_e1485 >> bitcast<u32>(21i)) | (_e1491 << bitcast<u32>(11i)));
+                                                        let _e1025 = phi_1745_;
+                                                        if _e901 {
+                                                            phi_1755_ = ((_e1019 >> bitcast<u32>(21i)) | (_e1025 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1755_ = (_e1491 >> bitcast<u32>(10i));
+                                                            phi_1755_ = (_e1025 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1500 = phi_1755_;
-                                                        if _e1384 {
-                                                            phi_1776_ = ((_e1485 >> bitcast<u32>(21i)) | (_e1491 << bitcast<u32>(11i)));
+                                                        let _e1034 = phi_1755_;
+                                                        if _e918 {
+                                                            phi_1776_ = ((_e1019 >> bitcast<u32>(21i)) | (_e1025 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1776_ = (_e1491 >> bitcast<u32>(10i));
+                                                            phi_1776_ = (_e1025 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1516 = phi_1776_;
-                                                        if _e1401 {
-                                                            phi_1797_ = ((_e1485 >> bitcast<u32>(21i)) | (_e1491 << bitcast<u32>(11i)));
+                                                        let _e1050 = phi_1776_;
+                                                        if _e935 {
+                                                            phi_1797_ = ((_e1019 >> bitcast<u32>(21i)) | (_e1025 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1797_ = (_e1491 >> bitcast<u32>(10i));
+                                                            phi_1797_ = (_e1025 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1532 = phi_1797_;
-                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1376, _e1360, _e306) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1393, _e1360, _e375) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1410, _e1360, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1439, _e1424, _e306) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1455, _e1424, _e375) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1471, _e1424, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1500, _e1485, _e306) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1516, _e1485, _e375) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1532, _e1485, _e443) & 2097151u))) - 8388608f) * _e147))));
+                                                        let _e1066 = phi_1797_;
+                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | (select(_e910, _e894, _e306) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | (select(_e927, _e894, _e375) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | (select(_e944, _e894, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | (select(_e973, _e958, _e306) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | (select(_e989, _e958, _e375) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1005, _e958, _e443) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e711.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1034, _e1019, _e306) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1050, _e1019, _e375) & 2097151u))) - 8388608f) * _e147)), (_e711.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1066, _e1019, _e443) & 2097151u))) - 8388608f) * _e147))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1269 = (_e1267 + _e267);
-                                                        let _e1270 = (_e1269 < _e99);
-                                                        if _e1270 {
-                                                            if _e1270 {
+                                                        let _e803 = (_e801 + _e267);
+                                                        let _e804 = (_e803 < _e99);
+                                                        if _e804 {
+                                                            if _e804 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1272 = global_5.member[_e1269];
-                                                            phi_1828_ = _e1272;
+                                                            let _e806 = global_5.member[_e803];
+                                                            phi_1828_ = _e806;
                                                         } else {
                                                             phi_1828_ = 0u;
                                                         }
-                                                        let _e1274 = phi_1828_;
-                                                        let _e1278 = (_e1267 + _e266);
-                                                        let _e1279 = (_e1278 < _e99);
-                                                        if _e1279 {
-                                                            if _e1279 {
+                                                        let _e808 = phi_1828_;
+                                                        let _e812 = (_e801 + _e266);
+                                                        let _e813 = (_e812 < _e99);
+                                                        if _e813 {
+                                                            if _e813 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1281 = global_5.member[_e1278];
-                                                            phi_1846_ = _e1281;
+                                                            let _e815 = global_5.member[_e812];
+                                                            phi_1846_ = _e815;
                                                         } else {
                                                             phi_1846_ = 0u;
                                                         }
-                                                        let _e1283 = phi_1846_;
-                                                        let _e1287 = (_e1267 + _e268);
-                                                        let _e1288 = (_e1287 < _e99);
-                                                        if _e1288 {
-                                                            if _e1288 {
+                                                        let _e817 = phi_1846_;
+                                                        let _e821 = (_e801 + _e268);
+                                                        let _e822 = (_e821 < _e99);
+                                                        if _e822 {
+                                                            if _e822 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1290 = global_5.member[_e1287];
-                                                            phi_1864_ = _e1290;
+                                                            let _e824 = global_5.member[_e821];
+                                                            phi_1864_ = _e824;
                                                         } else {
                                                             phi_1864_ = 0u;
                                                         }
-                                                        let _e1292 = phi_1864_;
-                                                        let _e1297 = (_e1267 + 3u);
-                                                        let _e1298 = (_e1297 + _e267);
-                                                        let _e1299 = (_e1298 < _e99);
-                                                        if _e1299 {
-                                                            if _e1299 {
+                                                        let _e826 = phi_1864_;
+                                                        let _e831 = (_e801 + 3u);
+                                                        let _e832 = (_e831 + _e267);
+                                                        let _e833 = (_e832 < _e99);
+                                                        if _e833 {
+                                                            if _e833 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1301 = global_5.member[_e1298];
-                                                            phi_1887_ = _e1301;
+                                                            let _e835 = global_5.member[_e832];
+                                                            phi_1887_ = _e835;
                                                         } else {
                                                             phi_1887_ = 0u;
                                                         }
-                                                        let _e1303 = phi_1887_;
-                                                        let _e1307 = (_e1297 + _e266);
-                                                        let _e1308 = (_e1307 < _e99);
-                                                        if _e1308 {
-                                                            if _e1308 {
+                                                        let _e837 = phi_1887_;
+                                                        let _e841 = (_e831 + _e266);
+                                                        let _e842 = (_e841 < _e99);
+                                                        if _e842 {
+                                                            if _e842 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1310 = global_5.member[_e1307];
-                                                            phi_1905_ = _e1310;
+                                                            let _e844 = global_5.member[_e841];
+                                                            phi_1905_ = _e844;
                                                         } else {
                                                             phi_1905_ = 0u;
                                                         }
-                                                        let _e1312 = phi_1905_;
-                                                        let _e1316 = (_e1297 + _e268);
-                                                        let _e1317 = (_e1316 < _e99);
-                                                        if _e1317 {
-                                                            if _e1317 {
+                                                        let _e846 = phi_1905_;
+                                                        let _e850 = (_e831 + _e268);
+                                                        let _e851 = (_e850 < _e99);
+                                                        if _e851 {
+                                                            if _e851 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1319 = global_5.member[_e1316];
-                                                            phi_1923_ = _e1319;
+                                                            let _e853 = global_5.member[_e850];
+                                                            phi_1923_ = _e853;
                                                         } else {
                                                             phi_1923_ = 0u;
                                                         }
-                                                        let _e1321 = phi_1923_;
-                                                        let _e1326 = (_e1267 + 6u);
-                                                        let _e1327 = (_e1326 + _e267);
-                                                        let _e1328 = (_e1327 < _e99);
-                                                        if _e1328 {
-                                                            if _e1328 {
+                                                        let _e855 = phi_1923_;
+                                                        let _e860 = (_e801 + 6u);
+                                                        let _e861 = (_e860 + _e267);
+                                                        let _e862 = (_e861 < _e99);
+                                                        if _e862 {
+                                                            if _e862 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1330 = global_5.member[_e1327];
-                                                            phi_1946_ = _e1330;
+                                                            let _e864 = global_5.member[_e861];
+                                                            phi_1946_ = _e864;
                                                         } else {
                                                             phi_1946_ = 0u;
                                                         }
-                                                        let _e1332 = phi_1946_;
-                                                        let _e1336 = (_e1326 + _e266);
-                                                        let _e1337 = (_e1336 < _e99);
-                                                        if _e1337 {
-                                                            if _e1337 {
+                                                        let _e866 = phi_1946_;
+                                                        let _e870 = (_e860 + _e266);
+                                                        let _e871 = (_e870 < _e99);
+                                                        if _e871 {
+                                                            if _e871 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1339 = global_5.member[_e1336];
-                                                            phi_1964_ = _e1339;
+                                                            let _e873 = global_5.member[_e870];
+                                                            phi_1964_ = _e873;
                                                         } else {
                                                             phi_1964_ = 0u;
                                                         }
-                                                        let _e1341 = phi_1964_;
-                                                        let _e1345 = (_e1326 + _e268);
-                                                        let _e1346 = (_e1345 < _e99);
-                                                        if _e1346 {
-                                                            if _e1346 {
+                                                        let _e875 = phi_1964_;
+                                                        let _e879 = (_e860 + _e268);
+                                                        let _e880 = (_e879 < _e99);
+                                                        if _e880 {
+                                                            if _e880 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1348 = global_5.member[_e1345];
-                                                            phi_1982_ = _e1348;
+                                                            let _e882 = global_5.member[_e879];
+                                                            phi_1982_ = _e882;
                                                         } else {
                                                             phi_1982_ = 0u;
                                                         }
-                                                        let _e1350 = phi_1982_;
-                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1274)) * _e147), (f32(bitcast<i32>(_e1283)) * _e147), (f32(bitcast<i32>(_e1292)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1303)) * _e147), (f32(bitcast<i32>(_e1312)) * _e147), (f32(bitcast<i32>(_e1321)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1332)) * _e147), (f32(bitcast<i32>(_e1341)) * _e147), (f32(bitcast<i32>(_e1350)) * _e147)));
+                                                        let _e884 = phi_1982_;
+                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e808)) * _e147), (f32(bitcast<i32>(_e817)) * _e147), (f32(bitcast<i32>(_e826)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e837)) * _e147), (f32(bitcast<i32>(_e846)) * _e147), (f32(bitcast<i32>(_e855)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e866)) * _e147), (f32(bitcast<i32>(_e875)) * _e147), (f32(bitcast<i32>(_e884)) * _e147)));
                                                         break;
                                                     }
                                                     default: {
@@ -1157,734 +1161,749 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1642 = phi_1988_;
-                                                let _e1651 = (_e1642[0][2] - _e468);
-                                                let _e1654 = (((_e1642[0][0] - _e331) * _e507) - (_e1651 * _e371));
-                                                let _e1657 = (((_e1642[0][1] - _e400) * _e507) - (_e1651 * _e439));
-                                                let _e1664 = (_e1642[1][2] - _e468);
-                                                let _e1667 = (((_e1642[1][0] - _e331) * _e507) - (_e1664 * _e371));
-                                                let _e1670 = (((_e1642[1][1] - _e400) * _e507) - (_e1664 * _e439));
-                                                let _e1677 = (_e1642[2][2] - _e468);
-                                                let _e1680 = (((_e1642[2][0] - _e331) * _e507) - (_e1677 * _e371));
-                                                let _e1683 = (((_e1642[2][1] - _e400) * _e507) - (_e1677 * _e439));
-                                                let _e1684 = (_e1680 * _e1670);
-                                                let _e1685 = (_e1683 * _e1667);
-                                                let _e1686 = (_e1654 * _e1683);
-                                                let _e1687 = (_e1657 * _e1680);
-                                                let _e1688 = (_e1667 * _e1657);
-                                                let _e1689 = (_e1670 * _e1654);
-                                                let _e1694 = (((_e1684 >= _e1685) && (_e1686 >= _e1687)) && (_e1688 >= _e1689));
-                                                if (_e1694 || (((_e1684 <= _e1685) && (_e1686 <= _e1687)) && (_e1688 <= _e1689))) {
-                                                    let _e1701 = select(-1f, 1f, _e1694);
-                                                    let _e1703 = ((_e1684 - _e1685) * _e1701);
-                                                    let _e1705 = select(0f, _e1703, (_e1703 > 0f));
-                                                    let _e1707 = ((_e1686 - _e1687) * _e1701);
-                                                    let _e1709 = select(0f, _e1707, (_e1707 > 0f));
-                                                    let _e1711 = ((_e1688 - _e1689) * _e1701);
-                                                    let _e1713 = select(0f, _e1711, (_e1711 > 0f));
-                                                    let _e1715 = ((_e1705 + _e1709) + _e1713);
-                                                    if (_e1715 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e1176 = phi_1988_;
+                                                let _e1185 = (_e1176[0][2] - _e468);
+                                                let _e1188 = (((_e1176[0][0] - _e331) * _e507) - (_e1185 * _e371));
+                                                let _e1191 = (((_e1176[0][1] - _e400) * _e507) - (_e1185 * _e439));
+                                                let _e1198 = (_e1176[1][2] - _e468);
+                                                let _e1201 = (((_e1176[1][0] - _e331) * _e507) - (_e1198 * _e371));
+                                                let _e1204 = (((_e1176[1][1] - _e400) * _e507) - (_e1198 * _e439));
+                                                let _e1211 = (_e1176[2][2] - _e468);
+                                                let _e1214 = (((_e1176[2][0] - _e331) * _e507) - (_e1211 * _e371));
+                                                let _e1217 = (((_e1176[2][1] - _e400) * _e507) - (_e1211 * _e439));
+                                                let _e1218 = (_e1214 * _e1204);
+                                                let _e1219 = (_e1217 * _e1201);
+                                                let _e1220 = (_e1188 * _e1217);
+                                                let _e1221 = (_e1191 * _e1214);
+                                                let _e1222 = (_e1201 * _e1191);
+                                                let _e1223 = (_e1204 * _e1188);
+                                                let _e1228 = (((_e1218 >= _e1219) && (_e1220 >= _e1221)) && (_e1222 >= _e1223));
+                                                if (_e1228 || (((_e1218 <= _e1219) && (_e1220 <= _e1221)) && (_e1222 <= _e1223))) {
+                                                    let _e1235 = select(-1f, 1f, _e1228);
+                                                    let _e1237 = ((_e1218 - _e1219) * _e1235);
+                                                    let _e1239 = select(0f, _e1237, (_e1237 > 0f));
+                                                    let _e1241 = ((_e1220 - _e1221) * _e1235);
+                                                    let _e1243 = select(0f, _e1241, (_e1241 > 0f));
+                                                    let _e1245 = ((_e1222 - _e1223) * _e1235);
+                                                    let _e1247 = select(0f, _e1245, (_e1245 > 0f));
+                                                    let _e1249 = ((_e1239 + _e1243) + _e1247);
+                                                    if (_e1249 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2872_ = type_28();
                                                         phi_2873_ = true;
                                                         phi_2874_ = false;
                                                     } else {
-                                                        let _e1718 = select(_e1667, _e1654, (_e1654 < _e1667));
-                                                        if (select(_e1680, _e1718, (_e1718 < _e1680)) > 0f) {
+                                                        let _e1252 = select(_e1201, _e1188, (_e1188 < _e1201));
+                                                        if (select(_e1214, _e1252, (_e1252 < _e1214)) > 0f) {
                                                             phi_2140_ = true;
                                                         } else {
-                                                            let _e1723 = select(_e1667, _e1654, (_e1654 > _e1667));
-                                                            phi_2140_ = (select(_e1680, _e1723, (_e1723 > _e1680)) < 0f);
+                                                            let _e1257 = select(_e1201, _e1188, (_e1188 > _e1201));
+                                                            phi_2140_ = (select(_e1214, _e1257, (_e1257 > _e1214)) < 0f);
                                                         }
-                                                        let _e1728 = phi_2140_;
-                                                        if _e1728 {
+                                                        let _e1262 = phi_2140_;
+                                                        if _e1262 {
                                                             phi_2869_ = type_28();
                                                             phi_2870_ = true;
                                                             phi_2871_ = false;
                                                         } else {
-                                                            let _e1730 = select(_e1670, _e1657, (_e1657 < _e1670));
-                                                            if (select(_e1683, _e1730, (_e1730 < _e1683)) > 0f) {
+                                                            let _e1264 = select(_e1204, _e1191, (_e1191 < _e1204));
+                                                            if (select(_e1217, _e1264, (_e1264 < _e1217)) > 0f) {
                                                                 phi_2169_ = true;
                                                             } else {
-                                                                let _e1735 = select(_e1670, _e1657, (_e1657 > _e1670));
-                                                                phi_2169_ = (select(_e1683, _e1735, (_e1735 > _e1683)) < 0f);
+                                                                let _e1269 = select(_e1204, _e1191, (_e1191 > _e1204));
+                                                                phi_2169_ = (select(_e1217, _e1269, (_e1269 > _e1217)) < 0f);
                                                             }
-                                                            let _e1740 = phi_2169_;
-                                                            if _e1740 {
+                                                            let _e1274 = phi_2169_;
+                                                            if _e1274 {
                                                                 phi_2867_ = type_28();
                                                                 phi_2868_ = false;
                                                             } else {
-                                                                let _e1742 = select(_e1642[1][0], _e1642[0][0], (_e1642[0][0] < _e1642[1][0]));
-                                                                let _e1746 = select(_e1642[1][0], _e1642[0][0], (_e1642[0][0] > _e1642[1][0]));
-                                                                let _e1750 = select(_e1642[1][1], _e1642[0][1], (_e1642[0][1] < _e1642[1][1]));
-                                                                let _e1754 = select(_e1642[1][1], _e1642[0][1], (_e1642[0][1] > _e1642[1][1]));
-                                                                let _e1758 = select(_e1642[1][2], _e1642[0][2], (_e1642[0][2] < _e1642[1][2]));
-                                                                let _e1762 = select(_e1642[1][2], _e1642[0][2], (_e1642[0][2] > _e1642[1][2]));
-                                                                let _e1767 = ((select(_e1642[2][0], _e1742, (_e1742 < _e1642[2][0])) - _e369) * _e374);
-                                                                let _e1768 = ((select(_e1642[2][0], _e1746, (_e1746 > _e1642[2][0])) - _e370) * _e374);
-                                                                let _e1771 = ((select(_e1642[2][1], _e1750, (_e1750 < _e1642[2][1])) - _e437) * _e442);
-                                                                let _e1772 = ((select(_e1642[2][1], _e1754, (_e1754 > _e1642[2][1])) - _e438) * _e442);
-                                                                let _e1775 = ((select(_e1642[2][2], _e1758, (_e1758 < _e1642[2][2])) - _e505) * _e510);
-                                                                let _e1776 = ((select(_e1642[2][2], _e1762, (_e1762 > _e1642[2][2])) - _e506) * _e510);
-                                                                let _e1778 = select(_e1776, _e1775, (_e1775 < _e1776));
-                                                                let _e1780 = select(_e1776, _e1775, (_e1775 > _e1776));
-                                                                let _e1782 = select(_e1768, _e1767, (_e1767 < _e1768));
-                                                                let _e1784 = select(_e1772, _e1771, (_e1771 < _e1772));
-                                                                let _e1786 = select(_e1784, _e1782, (_e1782 > _e1784));
-                                                                let _e1788 = select(_e1778, _e1786, (_e1786 > _e1778));
-                                                                let _e1790 = select(_e1768, _e1767, (_e1767 > _e1768));
-                                                                let _e1792 = select(_e1772, _e1771, (_e1771 > _e1772));
-                                                                let _e1794 = select(_e1792, _e1790, (_e1790 < _e1792));
-                                                                let _e1796 = select(_e1780, _e1794, (_e1794 < _e1780));
-                                                                let _e1797 = -(_e1778);
-                                                                let _e1803 = select(_e622, _e1788, (_e1788 > _e622));
-                                                                if (_e1803 > (_e1796 + (select(_e1797, _e1780, (_e1780 > _e1797)) * 0.0000019073523f))) {
+                                                                let _e1276 = select(_e1176[1][0], _e1176[0][0], (_e1176[0][0] < _e1176[1][0]));
+                                                                let _e1280 = select(_e1176[1][0], _e1176[0][0], (_e1176[0][0] > _e1176[1][0]));
+                                                                let _e1284 = select(_e1176[1][1], _e1176[0][1], (_e1176[0][1] < _e1176[1][1]));
+                                                                let _e1288 = select(_e1176[1][1], _e1176[0][1], (_e1176[0][1] > _e1176[1][1]));
+                                                                let _e1292 = select(_e1176[1][2], _e1176[0][2], (_e1176[0][2] < _e1176[1][2]));
+                                                                let _e1296 = select(_e1176[1][2], _e1176[0][2], (_e1176[0][2] > _e1176[1][2]));
+                                                                let _e1301 = ((select(_e1176[2][0], _e1276, (_e1276 < _e1176[2][0])) - _e369) * _e374);
+                                                                let _e1302 = ((select(_e1176[2][0], _e1280, (_e1280 > _e1176[2][0])) - _e370) * _e374);
+                                                                let _e1305 = ((select(_e1176[2][1], _e1284, (_e1284 < _e1176[2][1])) - _e437) * _e442);
+                                                                let _e1306 = ((select(_e1176[2][1], _e1288, (_e1288 > _e1176[2][1])) - _e438) * _e442);
+                                                                let _e1309 = ((select(_e1176[2][2], _e1292, (_e1292 < _e1176[2][2])) - _e505) * _e510);
+                                                                let _e1310 = ((select(_e1176[2][2], _e1296, (_e1296 > _e1176[2][2])) - _e506) * _e510);
+                                                                let _e1312 = select(_e1310, _e1309, (_e1309 < _e1310));
+                                                                let _e1314 = select(_e1310, _e1309, (_e1309 > _e1310));
+                                                                let _e1316 = select(_e1302, _e1301, (_e1301 < _e1302));
+                                                                let _e1318 = select(_e1306, _e1305, (_e1305 < _e1306));
+                                                                let _e1320 = select(_e1318, _e1316, (_e1316 > _e1318));
+                                                                let _e1322 = select(_e1312, _e1320, (_e1320 > _e1312));
+                                                                let _e1324 = select(_e1302, _e1301, (_e1301 > _e1302));
+                                                                let _e1326 = select(_e1306, _e1305, (_e1305 > _e1306));
+                                                                let _e1328 = select(_e1326, _e1324, (_e1324 < _e1326));
+                                                                let _e1330 = select(_e1314, _e1328, (_e1328 < _e1314));
+                                                                let _e1331 = -(_e1312);
+                                                                let _e1337 = select(_e622, _e1322, (_e1322 > _e622));
+                                                                if (_e1337 > (_e1330 + (select(_e1331, _e1314, (_e1314 > _e1331)) * 0.0000019073523f))) {
                                                                     phi_2862_ = type_28();
                                                                     phi_2863_ = true;
                                                                 } else {
-                                                                    let _e1805 = (_e1803 > _e1189.member.member_1);
-                                                                    if _e1805 {
+                                                                    let _e1339 = (_e1337 > _e723.member.member_1);
+                                                                    if _e1339 {
                                                                         phi_2861_ = type_28();
                                                                     } else {
-                                                                        let _e1806 = vec3<f32>(_e1642[0][0], _e1642[0][1], _e1642[0][2]);
-                                                                        let _e1807 = vec3<f32>(_e1642[1][0], _e1642[1][1], _e1642[1][2]);
-                                                                        let _e1808 = vec3<f32>(_e1642[2][0], _e1642[2][1], _e1642[2][2]);
-                                                                        let _e1809 = (_e1642[1][0] - _e1642[0][0]);
-                                                                        let _e1810 = (_e1642[1][1] - _e1642[0][1]);
-                                                                        let _e1811 = (_e1642[1][2] - _e1642[0][2]);
-                                                                        let _e1812 = vec3<f32>(_e1809, _e1810, _e1811);
-                                                                        let _e1813 = (_e1642[2][0] - _e1642[1][0]);
-                                                                        let _e1814 = (_e1642[2][1] - _e1642[1][1]);
-                                                                        let _e1815 = (_e1642[2][2] - _e1642[1][2]);
-                                                                        let _e1816 = vec3<f32>(_e1813, _e1814, _e1815);
-                                                                        let _e1817 = (_e1642[0][0] - _e1642[2][0]);
-                                                                        let _e1818 = (_e1642[0][1] - _e1642[2][1]);
-                                                                        let _e1819 = (_e1642[0][2] - _e1642[2][2]);
-                                                                        let _e1820 = vec3<f32>(_e1817, _e1818, _e1819);
-                                                                        let _e1823 = bitcast<f32>((bitcast<u32>(_e1809) & 2147483647u));
-                                                                        let _e1826 = bitcast<f32>((bitcast<u32>(_e1810) & 2147483647u));
-                                                                        let _e1828 = select(_e1826, _e1823, (_e1823 > _e1826));
-                                                                        let _e1831 = bitcast<f32>((bitcast<u32>(_e1811) & 2147483647u));
-                                                                        let _e1833 = select(_e1831, _e1828, (_e1828 > _e1831));
-                                                                        let _e1836 = bitcast<f32>((bitcast<u32>(_e1813) & 2147483647u));
-                                                                        let _e1839 = bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u));
-                                                                        let _e1841 = select(_e1839, _e1836, (_e1836 > _e1839));
-                                                                        let _e1844 = bitcast<f32>((bitcast<u32>(_e1815) & 2147483647u));
-                                                                        let _e1846 = select(_e1844, _e1841, (_e1841 > _e1844));
-                                                                        let _e1849 = bitcast<f32>((bitcast<u32>(_e1817) & 2147483647u));
-                                                                        let _e1852 = bitcast<f32>((bitcast<u32>(_e1818) & 2147483647u));
-                                                                        let _e1854 = select(_e1852, _e1849, (_e1849 > _e1852));
-                                                                        let _e1857 = bitcast<f32>((bitcast<u32>(_e1819) & 2147483647u));
-                                                                        let _e1859 = select(_e1857, _e1854, (_e1854 > _e1857));
-                                                                        let _e1861 = select(_e1846, _e1833, (_e1833 > _e1846));
-                                                                        let _e1863 = select(_e1859, _e1861, (_e1861 > _e1859));
-                                                                        if (_e1833 == _e1863) {
-                                                                            phi_2588_ = _e1670;
-                                                                            phi_2589_ = _e1667;
-                                                                            phi_2590_ = _e1657;
-                                                                            phi_2591_ = _e1654;
-                                                                            phi_2592_ = _e1806;
-                                                                            phi_2593_ = _e1820;
-                                                                            phi_2594_ = _e1816;
-                                                                            phi_2595_ = _e1812;
+                                                                        let _e1340 = vec3<f32>(_e1176[0][0], _e1176[0][1], _e1176[0][2]);
+                                                                        let _e1341 = vec3<f32>(_e1176[1][0], _e1176[1][1], _e1176[1][2]);
+                                                                        let _e1342 = vec3<f32>(_e1176[2][0], _e1176[2][1], _e1176[2][2]);
+                                                                        let _e1343 = (_e1176[1][0] - _e1176[0][0]);
+                                                                        let _e1344 = (_e1176[1][1] - _e1176[0][1]);
+                                                                        let _e1345 = (_e1176[1][2] - _e1176[0][2]);
+                                                                        let _e1346 = vec3<f32>(_e1343, _e1344, _e1345);
+                                                                        let _e1347 = (_e1176[2][0] - _e1176[1][0]);
+                                                                        let _e1348 = (_e1176[2][1] - _e1176[1][1]);
+                                                                        let _e1349 = (_e1176[2][2] - _e1176[1][2]);
+                                                                        let _e1350 = vec3<f32>(_e1347, _e1348, _e1349);
+                                                                        let _e1351 = (_e1176[0][0] - _e1176[2][0]);
+                                                                        let _e1352 = (_e1176[0][1] - _e1176[2][1]);
+                                                                        let _e1353 = (_e1176[0][2] - _e1176[2][2]);
+                                                                        let _e1354 = vec3<f32>(_e1351, _e1352, _e1353);
+                                                                        let _e1357 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
+                                                                        let _e1360 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
+                                                                        let _e1362 = select(_e1360, _e1357, (_e1357 > _e1360));
+                                                                        let _e1365 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
+                                                                        let _e1367 = select(_e1365, _e1362, (_e1362 > _e1365));
+                                                                        let _e1370 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
+                                                                        let _e1373 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
+                                                                        let _e1375 = select(_e1373, _e1370, (_e1370 > _e1373));
+                                                                        let _e1378 = bitcast<f32>((bitcast<u32>(_e1349) & 2147483647u));
+                                                                        let _e1380 = select(_e1378, _e1375, (_e1375 > _e1378));
+                                                                        let _e1383 = bitcast<f32>((bitcast<u32>(_e1351) & 2147483647u));
+                                                                        let _e1386 = bitcast<f32>((bitcast<u32>(_e1352) & 2147483647u));
+                                                                        let _e1388 = select(_e1386, _e1383, (_e1383 > _e1386));
+                                                                        let _e1391 = bitcast<f32>((bitcast<u32>(_e1353) & 2147483647u));
+                                                                        let _e1393 = select(_e1391, _e1388, (_e1388 > _e1391));
+                                                                        let _e1395 = select(_e1380, _e1367, (_e1367 > _e1380));
+                                                                        let _e1397 = select(_e1393, _e1395, (_e1395 > _e1393));
+                                                                        if (_e1367 == _e1397) {
+                                                                            phi_2588_ = _e1204;
+                                                                            phi_2589_ = _e1201;
+                                                                            phi_2590_ = _e1191;
+                                                                            phi_2591_ = _e1188;
+                                                                            phi_2592_ = _e1340;
+                                                                            phi_2593_ = _e1354;
+                                                                            phi_2594_ = _e1350;
+                                                                            phi_2595_ = _e1346;
                                                                         } else {
-                                                                            let _e1865 = (_e1846 == _e1863);
-                                                                            let _e1870 = vec3(_e1865);
-                                                                            phi_2588_ = select(_e1657, _e1683, _e1865);
-                                                                            phi_2589_ = select(_e1654, _e1680, _e1865);
-                                                                            phi_2590_ = select(_e1683, _e1670, _e1865);
-                                                                            phi_2591_ = select(_e1680, _e1667, _e1865);
-                                                                            phi_2592_ = select(_e1808, _e1807, _e1870);
-                                                                            phi_2593_ = select(_e1816, _e1812, _e1870);
-                                                                            phi_2594_ = select(_e1812, _e1820, _e1870);
-                                                                            phi_2595_ = select(_e1820, _e1816, _e1870);
+                                                                            let _e1399 = (_e1380 == _e1397);
+                                                                            let _e1404 = vec3(_e1399);
+                                                                            phi_2588_ = select(_e1191, _e1217, _e1399);
+                                                                            phi_2589_ = select(_e1188, _e1214, _e1399);
+                                                                            phi_2590_ = select(_e1217, _e1204, _e1399);
+                                                                            phi_2591_ = select(_e1214, _e1201, _e1399);
+                                                                            phi_2592_ = select(_e1342, _e1341, _e1404);
+                                                                            phi_2593_ = select(_e1350, _e1346, _e1404);
+                                                                            phi_2594_ = select(_e1346, _e1354, _e1404);
+                                                                            phi_2595_ = select(_e1354, _e1350, _e1404);
                                                                         }
-                                                                        let _e1876 = phi_2588_;
-                                                                        let _e1878 = phi_2589_;
-                                                                        let _e1880 = phi_2590_;
-                                                                        let _e1882 = phi_2591_;
-                                                                        let _e1884 = phi_2592_;
-                                                                        let _e1886 = phi_2593_;
-                                                                        let _e1888 = phi_2594_;
-                                                                        let _e1890 = phi_2595_;
-                                                                        let _e1897 = ((_e1888.y * _e1886.z) - (_e1886.y * _e1888.z));
-                                                                        let _e1902 = ((_e1888.z * _e1886.x) - (_e1886.z * _e1888.x));
-                                                                        let _e1905 = ((_e1888.x * _e1886.y) - (_e1886.x * _e1888.y));
-                                                                        if (_e1705 >= _e1709) {
-                                                                            phi_2632_ = select(true, false, (_e1705 >= _e1713));
+                                                                        let _e1410 = phi_2588_;
+                                                                        let _e1412 = phi_2589_;
+                                                                        let _e1414 = phi_2590_;
+                                                                        let _e1416 = phi_2591_;
+                                                                        let _e1418 = phi_2592_;
+                                                                        let _e1420 = phi_2593_;
+                                                                        let _e1422 = phi_2594_;
+                                                                        let _e1424 = phi_2595_;
+                                                                        let _e1431 = ((_e1422.y * _e1420.z) - (_e1420.y * _e1422.z));
+                                                                        let _e1436 = ((_e1422.z * _e1420.x) - (_e1420.z * _e1422.x));
+                                                                        let _e1439 = ((_e1422.x * _e1420.y) - (_e1420.x * _e1422.y));
+                                                                        if (_e1239 >= _e1243) {
+                                                                            phi_2632_ = select(true, false, (_e1239 >= _e1247));
                                                                         } else {
                                                                             phi_2632_ = true;
                                                                         }
-                                                                        let _e1910 = phi_2632_;
-                                                                        if _e1910 {
-                                                                            phi_2641_ = select(_e1808, _e1807, vec3((_e1709 >= _e1713)));
+                                                                        let _e1444 = phi_2632_;
+                                                                        if _e1444 {
+                                                                            phi_2641_ = select(_e1342, _e1341, vec3((_e1243 >= _e1247)));
                                                                         } else {
-                                                                            phi_2641_ = _e1806;
+                                                                            phi_2641_ = _e1340;
                                                                         }
-                                                                        let _e1915 = phi_2641_;
-                                                                        let _e1926 = (((_e1897 * (_e1915.x - _e331)) + (_e1902 * (_e1915.y - _e400))) + (_e1905 * (_e1915.z - _e468)));
-                                                                        let _e1931 = (((_e1897 * _e371) + (_e1902 * _e439)) + (_e1905 * _e507));
-                                                                        let _e1932 = (_e1878 - _e1882);
-                                                                        let _e1933 = (_e1876 - _e1880);
-                                                                        let _e1941 = (-(((_e1882 * _e1932) + (_e1880 * _e1933))) / ((_e1932 * _e1932) + (_e1933 * _e1933)));
-                                                                        let _e1943 = select(1f, _e1941, (_e1941 < 1f));
-                                                                        let _e1945 = select(0f, _e1943, (_e1943 > 0f));
-                                                                        let _e1958 = ((_e1884.x + (_e1890.x * _e1945)) - _e331);
-                                                                        let _e1959 = ((_e1884.y + (_e1890.y * _e1945)) - _e400);
-                                                                        let _e1960 = ((_e1884.z + (_e1890.z * _e1945)) - _e468);
-                                                                        let _e1961 = (_e1960 / _e507);
-                                                                        let _e1973 = bitcast<f32>((bitcast<u32>(_e1958) & 2147483647u));
-                                                                        let _e1976 = bitcast<f32>((bitcast<u32>(_e1959) & 2147483647u));
-                                                                        let _e1978 = select(_e1976, _e1973, (_e1973 > _e1976));
-                                                                        let _e1981 = bitcast<f32>((bitcast<u32>(_e1960) & 2147483647u));
-                                                                        let _e1983 = select(_e1981, _e1978, (_e1978 > _e1981));
-                                                                        let _e1989 = bitcast<f32>((bitcast<u32>(_e1897) & 2147483647u));
-                                                                        let _e1992 = bitcast<f32>((bitcast<u32>(_e1902) & 2147483647u));
-                                                                        let _e1994 = select(_e1992, _e1989, (_e1989 > _e1992));
-                                                                        let _e1997 = bitcast<f32>((bitcast<u32>(_e1905) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1897 * _e1958) + (_e1902 * _e1959)) + (_e1905 * _e1960)) - _e1926)) & 2147483647u)) <= ((0.0000009536743f * select(_e1863, _e1983, (_e1983 > _e1863))) * select(_e1997, _e1994, (_e1994 > _e1997)))) {
-                                                                            let _e2007 = bitcast<f32>((bitcast<u32>(_e1888.x) & 2147483647u));
-                                                                            let _e2010 = bitcast<f32>((bitcast<u32>(_e1888.y) & 2147483647u));
-                                                                            let _e2012 = select(_e2010, _e2007, (_e2007 > _e2010));
-                                                                            let _e2015 = bitcast<f32>((bitcast<u32>(_e1888.z) & 2147483647u));
-                                                                            let _e2021 = bitcast<f32>((bitcast<u32>(_e1886.x) & 2147483647u));
-                                                                            let _e2024 = bitcast<f32>((bitcast<u32>(_e1886.y) & 2147483647u));
-                                                                            let _e2026 = select(_e2024, _e2021, (_e2021 > _e2024));
-                                                                            let _e2029 = bitcast<f32>((bitcast<u32>(_e1886.z) & 2147483647u));
-                                                                            let _e2033 = (bitcast<f32>((bitcast<u32>(_e1931) & 2147483647u)) > ((0.0000038146973f * select(_e2015, _e2012, (_e2012 > _e2015))) * select(_e2029, _e2026, (_e2026 > _e2029))));
-                                                                            if _e2033 {
-                                                                                phi_2806_ = (_e1926 / _e1931);
+                                                                        let _e1449 = phi_2641_;
+                                                                        let _e1460 = (((_e1431 * (_e1449.x - _e331)) + (_e1436 * (_e1449.y - _e400))) + (_e1439 * (_e1449.z - _e468)));
+                                                                        let _e1465 = (((_e1431 * _e371) + (_e1436 * _e439)) + (_e1439 * _e507));
+                                                                        let _e1466 = (_e1412 - _e1416);
+                                                                        let _e1467 = (_e1410 - _e1414);
+                                                                        let _e1475 = (-(((_e1416 * _e1466) + (_e1414 * _e1467))) / ((_e1466 * _e1466) + (_e1467 * _e1467)));
+                                                                        let _e1477 = select(1f, _e1475, (_e1475 < 1f));
+                                                                        let _e1479 = select(0f, _e1477, (_e1477 > 0f));
+                                                                        let _e1492 = ((_e1418.x + (_e1424.x * _e1479)) - _e331);
+                                                                        let _e1493 = ((_e1418.y + (_e1424.y * _e1479)) - _e400);
+                                                                        let _e1494 = ((_e1418.z + (_e1424.z * _e1479)) - _e468);
+                                                                        let _e1495 = (_e1494 / _e507);
+                                                                        let _e1507 = bitcast<f32>((bitcast<u32>(_e1492) & 2147483647u));
+                                                                        let _e1510 = bitcast<f32>((bitcast<u32>(_e1493) & 2147483647u));
+                                                                        let _e1512 = select(_e1510, _e1507, (_e1507 > _e1510));
+                                                                        let _e1515 = bitcast<f32>((bitcast<u32>(_e1494) & 2147483647u));
+                                                                        let _e1517 = select(_e1515, _e1512, (_e1512 > _e1515));
+                                                                        let _e1523 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
+                                                                        let _e1526 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
+                                                                        let _e1528 = select(_e1526, _e1523, (_e1523 > _e1526));
+                                                                        let _e1531 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1431 * _e1492) + (_e1436 * _e1493)) + (_e1439 * _e1494)) - _e1460)) & 2147483647u)) <= ((0.0000009536743f * select(_e1397, _e1517, (_e1517 > _e1397))) * select(_e1531, _e1528, (_e1528 > _e1531)))) {
+                                                                            let _e1541 = bitcast<f32>((bitcast<u32>(_e1422.x) & 2147483647u));
+                                                                            let _e1544 = bitcast<f32>((bitcast<u32>(_e1422.y) & 2147483647u));
+                                                                            let _e1546 = select(_e1544, _e1541, (_e1541 > _e1544));
+                                                                            let _e1549 = bitcast<f32>((bitcast<u32>(_e1422.z) & 2147483647u));
+                                                                            let _e1555 = bitcast<f32>((bitcast<u32>(_e1420.x) & 2147483647u));
+                                                                            let _e1558 = bitcast<f32>((bitcast<u32>(_e1420.y) & 2147483647u));
+                                                                            let _e1560 = select(_e1558, _e1555, (_e1555 > _e1558));
+                                                                            let _e1563 = bitcast<f32>((bitcast<u32>(_e1420.z) & 2147483647u));
+                                                                            let _e1567 = (bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u)) > ((0.0000038146973f * select(_e1549, _e1546, (_e1546 > _e1549))) * select(_e1563, _e1560, (_e1560 > _e1563))));
+                                                                            if _e1567 {
+                                                                                phi_2806_ = (_e1460 / _e1465);
                                                                             } else {
                                                                                 phi_2806_ = f32();
                                                                             }
-                                                                            let _e2036 = phi_2806_;
-                                                                            phi_2808_ = _e2036;
-                                                                            phi_2809_ = select(true, false, _e2033);
+                                                                            let _e1570 = phi_2806_;
+                                                                            phi_2808_ = _e1570;
+                                                                            phi_2809_ = select(true, false, _e1567);
                                                                         } else {
                                                                             phi_2808_ = f32();
                                                                             phi_2809_ = true;
                                                                         }
-                                                                        let _e2039 = phi_2808_;
-                                                                        let _e2041 = phi_2809_;
-                                                                        if _e2041 {
-                                                                            let _e2049 = (((_e1897 * (_e1958 - (_e371 * _e1961))) + (_e1902 * (_e1959 - (_e439 * _e1961)))) / _e1931);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e2049) & 2147483647u)) <= _e1863) {
-                                                                                phi_2829_ = (_e1961 + _e2049);
+                                                                        let _e1573 = phi_2808_;
+                                                                        let _e1575 = phi_2809_;
+                                                                        if _e1575 {
+                                                                            let _e1583 = (((_e1431 * (_e1492 - (_e371 * _e1495))) + (_e1436 * (_e1493 - (_e439 * _e1495)))) / _e1465);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1583) & 2147483647u)) <= _e1397) {
+                                                                                phi_2829_ = (_e1495 + _e1583);
                                                                             } else {
-                                                                                phi_2829_ = _e1961;
+                                                                                phi_2829_ = _e1495;
                                                                             }
-                                                                            let _e2056 = phi_2829_;
-                                                                            phi_2830_ = _e2056;
+                                                                            let _e1590 = phi_2829_;
+                                                                            phi_2830_ = _e1590;
                                                                         } else {
-                                                                            phi_2830_ = _e2039;
+                                                                            phi_2830_ = _e1573;
                                                                         }
-                                                                        let _e2058 = phi_2830_;
-                                                                        let _e2060 = select(_e1796, _e2058, (_e2058 < _e1796));
-                                                                        let _e2062 = select(_e1788, _e2060, (_e2060 > _e1788));
-                                                                        if (_e2062 >= _e622) {
-                                                                            let _e2064 = (_e2062 <= _e1189.member.member_1);
-                                                                            if _e2064 {
-                                                                                let _e2065 = (1f / _e1715);
-                                                                                phi_2853_ = type_28(_e2062, (_e1709 * _e2065), (_e1713 * _e2065), _e1255);
+                                                                        let _e1592 = phi_2830_;
+                                                                        let _e1594 = select(_e1330, _e1592, (_e1592 < _e1330));
+                                                                        let _e1596 = select(_e1322, _e1594, (_e1594 > _e1322));
+                                                                        if (_e1596 >= _e622) {
+                                                                            let _e1598 = (_e1596 <= _e723.member.member_1);
+                                                                            if _e1598 {
+                                                                                let _e1599 = (1f / _e1249);
+                                                                                phi_2853_ = type_28(_e1596, (_e1243 * _e1599), (_e1247 * _e1599), _e789);
                                                                             } else {
                                                                                 phi_2853_ = type_28();
                                                                             }
-                                                                            let _e2070 = phi_2853_;
-                                                                            phi_2855_ = _e2070;
-                                                                            phi_2856_ = select(true, false, _e2064);
+                                                                            let _e1604 = phi_2853_;
+                                                                            phi_2855_ = _e1604;
+                                                                            phi_2856_ = select(true, false, _e1598);
                                                                         } else {
                                                                             phi_2855_ = type_28();
                                                                             phi_2856_ = true;
                                                                         }
-                                                                        let _e2073 = phi_2855_;
-                                                                        let _e2075 = phi_2856_;
-                                                                        if _e2075 {
+                                                                        let _e1607 = phi_2855_;
+                                                                        let _e1609 = phi_2856_;
+                                                                        if _e1609 {
                                                                             phi_2860_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2860_ = _e2073;
+                                                                            phi_2860_ = _e1607;
                                                                         }
-                                                                        let _e2077 = phi_2860_;
-                                                                        phi_2861_ = _e2077;
+                                                                        let _e1611 = phi_2860_;
+                                                                        phi_2861_ = _e1611;
                                                                     }
-                                                                    let _e2079 = phi_2861_;
-                                                                    phi_2862_ = _e2079;
-                                                                    phi_2863_ = _e1805;
+                                                                    let _e1613 = phi_2861_;
+                                                                    phi_2862_ = _e1613;
+                                                                    phi_2863_ = _e1339;
                                                                 }
-                                                                let _e2081 = phi_2862_;
-                                                                let _e2083 = phi_2863_;
-                                                                phi_2867_ = _e2081;
-                                                                phi_2868_ = _e2083;
+                                                                let _e1615 = phi_2862_;
+                                                                let _e1617 = phi_2863_;
+                                                                phi_2867_ = _e1615;
+                                                                phi_2868_ = _e1617;
                                                             }
-                                                            let _e2085 = phi_2867_;
-                                                            let _e2087 = phi_2868_;
-                                                            phi_2869_ = _e2085;
-                                                            phi_2870_ = _e1740;
-                                                            phi_2871_ = _e2087;
+                                                            let _e1619 = phi_2867_;
+                                                            let _e1621 = phi_2868_;
+                                                            phi_2869_ = _e1619;
+                                                            phi_2870_ = _e1274;
+                                                            phi_2871_ = _e1621;
                                                         }
-                                                        let _e2089 = phi_2869_;
-                                                        let _e2091 = phi_2870_;
-                                                        let _e2093 = phi_2871_;
-                                                        phi_2872_ = _e2089;
-                                                        phi_2873_ = _e2091;
-                                                        phi_2874_ = _e2093;
+                                                        let _e1623 = phi_2869_;
+                                                        let _e1625 = phi_2870_;
+                                                        let _e1627 = phi_2871_;
+                                                        phi_2872_ = _e1623;
+                                                        phi_2873_ = _e1625;
+                                                        phi_2874_ = _e1627;
                                                     }
-                                                    let _e2095 = phi_2872_;
-                                                    let _e2097 = phi_2873_;
-                                                    let _e2099 = phi_2874_;
-                                                    phi_2882_ = _e2095;
-                                                    phi_2883_ = select(_e2099, true, _e2097);
+                                                    let _e1629 = phi_2872_;
+                                                    let _e1631 = phi_2873_;
+                                                    let _e1633 = phi_2874_;
+                                                    phi_2882_ = _e1629;
+                                                    phi_2883_ = select(_e1633, true, _e1631);
                                                 } else {
                                                     phi_2882_ = type_28();
                                                     phi_2883_ = true;
                                                 }
-                                                let _e2102 = phi_2882_;
-                                                let _e2104 = phi_2883_;
-                                                if _e2104 {
+                                                let _e1636 = phi_2882_;
+                                                let _e1638 = phi_2883_;
+                                                if _e1638 {
                                                     phi_2887_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2887_ = _e2102;
+                                                    phi_2887_ = _e1636;
                                                 }
-                                                let _e2106 = phi_2887_;
-                                                if (_e2106.member_3 != 4294967295u) {
-                                                    if (_e1255 != 4294967295u) {
-                                                        if (_e2106.member < _e1189.member.member.member) {
+                                                let _e1640 = phi_2887_;
+                                                if (_e1640.member_3 != 4294967295u) {
+                                                    if (_e789 != 4294967295u) {
+                                                        if (_e1640.member < _e723.member.member.member) {
                                                             phi_2913_ = true;
                                                         } else {
-                                                            if (_e2106.member == _e1189.member.member.member) {
-                                                                phi_2912_ = (_e2106.member_3 < _e1189.member.member.member_3);
+                                                            if (_e1640.member == _e723.member.member.member) {
+                                                                phi_2912_ = (_e1640.member_3 < _e723.member.member.member_3);
                                                             } else {
                                                                 phi_2912_ = false;
                                                             }
-                                                            let _e2121 = phi_2912_;
-                                                            phi_2913_ = _e2121;
+                                                            let _e1655 = phi_2912_;
+                                                            phi_2913_ = _e1655;
                                                         }
-                                                        let _e2123 = phi_2913_;
-                                                        if _e2123 {
-                                                            phi_2920_ = type_43(type_37(_e2106, _e2106.member), _e1216.member_1, _e1216.member_2);
+                                                        let _e1657 = phi_2913_;
+                                                        if _e1657 {
+                                                            phi_2920_ = type_43(type_37(_e1640, _e1640.member), _e750.member_1, _e750.member_2);
                                                         } else {
-                                                            phi_2920_ = _e1216;
+                                                            phi_2920_ = _e750;
                                                         }
-                                                        let _e2130 = phi_2920_;
-                                                        phi_2921_ = _e2130;
+                                                        let _e1664 = phi_2920_;
+                                                        phi_2921_ = _e1664;
                                                     } else {
-                                                        phi_2921_ = _e1216;
+                                                        phi_2921_ = _e750;
                                                     }
-                                                    let _e2132 = phi_2921_;
-                                                    phi_2922_ = _e2132;
+                                                    let _e1666 = phi_2921_;
+                                                    phi_2922_ = _e1666;
                                                 } else {
-                                                    phi_2922_ = _e1216;
+                                                    phi_2922_ = _e750;
                                                 }
-                                                let _e2134 = phi_2922_;
-                                                phi_1222_ = _e2134;
+                                                let _e1668 = phi_2922_;
+                                                phi_1222_ = _e1668;
                                             } else {
                                                 phi_1222_ = type_43();
                                             }
-                                            let _e2136 = phi_1222_;
+                                            let _e1670 = phi_1222_;
                                             continue;
                                             continuing {
-                                                phi_1221_ = _e2136;
-                                                phi_1224_ = _e1204;
-                                                phi_4425_ = _e665;
-                                                break if !(_e1210);
+                                                phi_1221_ = _e1670;
+                                                phi_1224_ = _e738;
+                                                phi_4431_ = _e665;
+                                                break if !(_e744);
                                             }
                                         }
-                                        let _e2139 = phi_4425_;
-                                        phi_4632_ = _e2139;
-                                        if _e2139 {
+                                        let _e1673 = phi_4431_;
+                                        phi_4638_ = _e1673;
+                                        if _e1673 {
                                             break;
                                         }
-                                        phi_4636_ = _e2139;
-                                        let _e2351 = local_12;
-                                        phi_4197_ = _e2351;
-                                        phi_4198_ = false;
-                                        phi_4199_ = _e709;
-                                        phi_4200_ = _e711;
+                                        phi_4729_ = _e1673;
+                                        let _e2338 = local_12;
+                                        phi_2923_ = _e2338;
+                                    } else {
+                                        phi_4729_ = _e665;
+                                        phi_2923_ = _e667;
+                                    }
+                                    let _e1675 = phi_4729_;
+                                    let _e1677 = phi_2923_;
+                                    if _e715 {
+                                        phi_4192_ = type_43();
+                                        phi_4193_ = bool();
+                                        phi_4194_ = u32();
+                                        phi_4195_ = type_50();
                                     } else {
                                         if (_e711.member_1 >= _e96) {
-                                            phi_3728_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3724_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e711.member_1 < _e96) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e724 = ((1u + _e267) % 4u);
-                                            if (_e724 < 4u) {
+                                            let _e1681 = ((1u + _e267) % 4u);
+                                            if (_e1681 < 4u) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e729 = global_3.member[_e711.member_1][_e724];
-                                            let _e731 = (_e729 >> bitcast<u32>(11u));
-                                            let _e733 = ((1u + _e266) % 4u);
-                                            if (_e733 < 4u) {
+                                            let _e1686 = global_3.member[_e711.member_1][_e1681];
+                                            let _e1688 = (_e1686 >> bitcast<u32>(11u));
+                                            let _e1690 = ((1u + _e266) % 4u);
+                                            if (_e1690 < 4u) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e738 = global_3.member[_e711.member_1][_e733];
-                                            let _e740 = (_e738 >> bitcast<u32>(11u));
-                                            let _e742 = ((1u + _e268) % 4u);
-                                            if (_e742 < 4u) {
+                                            let _e1695 = global_3.member[_e711.member_1][_e1690];
+                                            let _e1697 = (_e1695 >> bitcast<u32>(11u));
+                                            let _e1699 = ((1u + _e268) % 4u);
+                                            if (_e1699 < 4u) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e747 = global_3.member[_e711.member_1][_e742];
-                                            let _e749 = (_e747 >> bitcast<u32>(11u));
-                                            let _e772 = (bitcast<f32>((bitcast<u32>((_e711.member.member_1.x - _e711.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e773 = (bitcast<f32>((bitcast<u32>((_e711.member.member_1.y - _e711.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e774 = (bitcast<f32>((bitcast<u32>((_e711.member.member_1.z - _e711.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e776 = select(_e147, _e772, (_e772 > _e147));
-                                            let _e778 = select(_e147, _e773, (_e773 > _e147));
-                                            let _e780 = select(_e147, _e774, (_e774 > _e147));
-                                            let _e811 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e729 & 1023u))) - 8388608f) * _e776));
-                                            let _e816 = (bitcast<i32>((_e729 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e819 = bitcast<f32>((_e811 & bitcast<u32>(_e816)));
-                                            let _e820 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e738 & 1023u))) - 8388608f) * _e778));
-                                            let _e825 = (bitcast<i32>((_e738 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e828 = bitcast<f32>((_e820 & bitcast<u32>(_e825)));
-                                            let _e829 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e747 & 1023u))) - 8388608f) * _e780));
-                                            let _e834 = (bitcast<i32>((_e747 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e837 = bitcast<f32>((_e829 & bitcast<u32>(_e834)));
-                                            let _e841 = bitcast<f32>((_e811 & bitcast<u32>(~(_e816))));
-                                            let _e845 = bitcast<f32>((_e820 & bitcast<u32>(~(_e825))));
-                                            let _e849 = bitcast<f32>((_e829 & bitcast<u32>(~(_e834))));
-                                            let _e850 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e731 & 1023u))) - 8388608f) * _e776));
-                                            let _e855 = (bitcast<i32>((_e731 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e858 = bitcast<f32>((_e850 & bitcast<u32>(_e855)));
-                                            let _e859 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 1023u))) - 8388608f) * _e778));
-                                            let _e864 = (bitcast<i32>((_e740 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e867 = bitcast<f32>((_e859 & bitcast<u32>(_e864)));
-                                            let _e868 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e749 & 1023u))) - 8388608f) * _e780));
-                                            let _e873 = (bitcast<i32>((_e749 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e876 = bitcast<f32>((_e868 & bitcast<u32>(_e873)));
-                                            let _e880 = bitcast<f32>((_e850 & bitcast<u32>(~(_e855))));
-                                            let _e884 = bitcast<f32>((_e859 & bitcast<u32>(~(_e864))));
-                                            let _e888 = bitcast<f32>((_e868 & bitcast<u32>(~(_e873))));
-                                            let _e889 = (_e711.member.member.x + _e819);
-                                            let _e890 = (_e711.member.member.y + _e828);
-                                            let _e891 = (_e711.member.member.z + _e837);
-                                            let _e894 = (_e711.member.member_1.x - _e858);
-                                            let _e895 = (_e711.member.member_1.y - _e867);
-                                            let _e896 = (_e711.member.member_1.z - _e876);
-                                            let _e915 = (_e894 - _e889);
-                                            let _e916 = (_e895 - _e890);
-                                            let _e917 = (_e896 - _e891);
-                                            let _e919 = select(_e916, _e915, (_e915 > _e916));
-                                            let _e921 = select(_e917, _e919, (_e919 > _e917));
-                                            if (_e921 < (1024f * _e147)) {
-                                                phi_3429_ = 0u;
+                                            let _e1704 = global_3.member[_e711.member_1][_e1699];
+                                            let _e1706 = (_e1704 >> bitcast<u32>(11u));
+                                            let _e1729 = (bitcast<f32>((bitcast<u32>((_e711.member.member_1.x - _e711.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1730 = (bitcast<f32>((bitcast<u32>((_e711.member.member_1.y - _e711.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1731 = (bitcast<f32>((bitcast<u32>((_e711.member.member_1.z - _e711.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1733 = select(_e147, _e1729, (_e1729 > _e147));
+                                            let _e1735 = select(_e147, _e1730, (_e1730 > _e147));
+                                            let _e1737 = select(_e147, _e1731, (_e1731 > _e147));
+                                            let _e1768 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1686 & 1023u))) - 8388608f) * _e1733));
+                                            let _e1773 = (bitcast<i32>((_e1686 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1776 = bitcast<f32>((_e1768 & bitcast<u32>(_e1773)));
+                                            let _e1777 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1695 & 1023u))) - 8388608f) * _e1735));
+                                            let _e1782 = (bitcast<i32>((_e1695 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1785 = bitcast<f32>((_e1777 & bitcast<u32>(_e1782)));
+                                            let _e1786 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1704 & 1023u))) - 8388608f) * _e1737));
+                                            let _e1791 = (bitcast<i32>((_e1704 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1794 = bitcast<f32>((_e1786 & bitcast<u32>(_e1791)));
+                                            let _e1798 = bitcast<f32>((_e1768 & bitcast<u32>(~(_e1773))));
+                                            let _e1802 = bitcast<f32>((_e1777 & bitcast<u32>(~(_e1782))));
+                                            let _e1806 = bitcast<f32>((_e1786 & bitcast<u32>(~(_e1791))));
+                                            let _e1807 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1688 & 1023u))) - 8388608f) * _e1733));
+                                            let _e1812 = (bitcast<i32>((_e1688 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1815 = bitcast<f32>((_e1807 & bitcast<u32>(_e1812)));
+                                            let _e1816 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1697 & 1023u))) - 8388608f) * _e1735));
+                                            let _e1821 = (bitcast<i32>((_e1697 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1824 = bitcast<f32>((_e1816 & bitcast<u32>(_e1821)));
+                                            let _e1825 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1706 & 1023u))) - 8388608f) * _e1737));
+                                            let _e1830 = (bitcast<i32>((_e1706 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1833 = bitcast<f32>((_e1825 & bitcast<u32>(_e1830)));
+                                            let _e1837 = bitcast<f32>((_e1807 & bitcast<u32>(~(_e1812))));
+                                            let _e1841 = bitcast<f32>((_e1816 & bitcast<u32>(~(_e1821))));
+                                            let _e1845 = bitcast<f32>((_e1825 & bitcast<u32>(~(_e1830))));
+                                            let _e1846 = (_e711.member.member.x + _e1776);
+                                            let _e1847 = (_e711.member.member.y + _e1785);
+                                            let _e1848 = (_e711.member.member.z + _e1794);
+                                            let _e1851 = (_e711.member.member_1.x - _e1815);
+                                            let _e1852 = (_e711.member.member_1.y - _e1824);
+                                            let _e1853 = (_e711.member.member_1.z - _e1833);
+                                            let _e1872 = (_e1851 - _e1846);
+                                            let _e1873 = (_e1852 - _e1847);
+                                            let _e1874 = (_e1853 - _e1848);
+                                            let _e1876 = select(_e1873, _e1872, (_e1872 > _e1873));
+                                            let _e1878 = select(_e1874, _e1876, (_e1876 > _e1874));
+                                            if (_e1878 < (1024f * _e147)) {
+                                                phi_3425_ = 0u;
                                             } else {
-                                                phi_3429_ = select(2u, 1u, (_e921 < (2097152f * _e147)));
+                                                phi_3425_ = select(2u, 1u, (_e1878 < (2097152f * _e147)));
                                             }
-                                            let _e928 = phi_3429_;
-                                            switch bitcast<i32>(_e928) {
+                                            let _e1885 = phi_3425_;
+                                            switch bitcast<i32>(_e1885) {
                                                 case 0: {
-                                                    phi_3435_ = 1u;
+                                                    phi_3431_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3435_ = 2u;
+                                                    phi_3431_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3435_ = 3u;
+                                                    phi_3431_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3435_ = u32();
+                                                    phi_3431_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e931 = phi_3435_;
-                                            let _e937 = global_3.member[_e711.member_1][0u];
-                                            let _e941 = global_3.member[_e711.member_1][1u];
-                                            let _e945 = global_3.member[_e711.member_1][2u];
-                                            let _e949 = global_3.member[_e711.member_1][3u];
-                                            let _e961 = (((_e941 >> bitcast<u32>(22i)) | ((_e945 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e949 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e962 = (_e937 & 268435455u);
-                                            let _e963 = (_e961 & 268435455u);
-                                            let _e966 = ((_e937 >> bitcast<u32>(28u)) & 7u);
-                                            let _e974 = ((_e937 >> bitcast<u32>(31i)) | (((_e961 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e975 = (_e966 != 0u);
-                                            if (_e966 == 0u) {
-                                                phi_3690_ = _e962;
+                                            let _e1888 = phi_3431_;
+                                            let _e1894 = global_3.member[_e711.member_1][0u];
+                                            let _e1898 = global_3.member[_e711.member_1][1u];
+                                            let _e1902 = global_3.member[_e711.member_1][2u];
+                                            let _e1906 = global_3.member[_e711.member_1][3u];
+                                            let _e1918 = (((_e1898 >> bitcast<u32>(22i)) | ((_e1902 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1906 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1919 = (_e1894 & 268435455u);
+                                            let _e1920 = (_e1918 & 268435455u);
+                                            let _e1923 = ((_e1894 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1931 = ((_e1894 >> bitcast<u32>(31i)) | (((_e1918 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1932 = (_e1923 != 0u);
+                                            if (_e1923 == 0u) {
+                                                phi_3686_ = _e1919;
                                             } else {
-                                                if (_e966 == 7u) {
-                                                    phi_3689_ = 2147483648u;
+                                                if (_e1923 == 7u) {
+                                                    phi_3685_ = 2147483648u;
                                                 } else {
-                                                    phi_3689_ = ((2147483648u | (_e966 << bitcast<u32>(28u))) | (_e963 & 268435455u));
+                                                    phi_3685_ = ((2147483648u | (_e1923 << bitcast<u32>(28u))) | (_e1920 & 268435455u));
                                                 }
-                                                let _e984 = phi_3689_;
-                                                phi_3690_ = _e984;
+                                                let _e1941 = phi_3685_;
+                                                phi_3686_ = _e1941;
                                             }
-                                            let _e986 = phi_3690_;
-                                            if _e975 {
-                                                let _e987 = (_e966 != 7u);
-                                                if _e987 {
-                                                    phi_3700_ = (_e963 + (_e966 * ((3u * _e931) + 1u)));
+                                            let _e1943 = phi_3686_;
+                                            if _e1932 {
+                                                let _e1944 = (_e1923 != 7u);
+                                                if _e1944 {
+                                                    phi_3696_ = (_e1920 + (_e1923 * ((3u * _e1888) + 1u)));
                                                 } else {
-                                                    phi_3700_ = u32();
+                                                    phi_3696_ = u32();
                                                 }
-                                                let _e991 = phi_3700_;
-                                                phi_3702_ = _e991;
-                                                phi_3703_ = select(true, false, _e987);
+                                                let _e1948 = phi_3696_;
+                                                phi_3698_ = _e1948;
+                                                phi_3699_ = select(true, false, _e1944);
                                             } else {
-                                                phi_3702_ = u32();
-                                                phi_3703_ = true;
+                                                phi_3698_ = u32();
+                                                phi_3699_ = true;
                                             }
-                                            let _e994 = phi_3702_;
-                                            let _e996 = phi_3703_;
-                                            if (_e974 == 0u) {
-                                                phi_3724_ = (_e962 + select(0u, 1u, !(_e975)));
+                                            let _e1951 = phi_3698_;
+                                            let _e1953 = phi_3699_;
+                                            if (_e1931 == 0u) {
+                                                phi_3720_ = (_e1919 + select(0u, 1u, !(_e1932)));
                                             } else {
-                                                if (_e974 == 7u) {
-                                                    phi_3723_ = 2147483648u;
+                                                if (_e1931 == 7u) {
+                                                    phi_3719_ = 2147483648u;
                                                 } else {
-                                                    phi_3723_ = ((2147483648u | (_e974 << bitcast<u32>(28u))) | (select(_e994, _e963, _e996) & 268435455u));
+                                                    phi_3719_ = ((2147483648u | (_e1931 << bitcast<u32>(28u))) | (select(_e1951, _e1920, _e1953) & 268435455u));
                                                 }
-                                                let _e1009 = phi_3723_;
-                                                phi_3724_ = _e1009;
+                                                let _e1966 = phi_3719_;
+                                                phi_3720_ = _e1966;
                                             }
-                                            let _e1011 = phi_3724_;
-                                            phi_3728_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e889, (_e711.member.member.x + _e841), _e894, (_e711.member.member_1.x - _e880)), vec4<f32>(_e890, (_e711.member.member.y + _e845), _e895, (_e711.member.member_1.y - _e884)), vec4<f32>(_e891, (_e711.member.member.z + _e849), _e896, (_e711.member.member_1.z - _e888))), type_50(type_32((_e711.member.member + vec4<f32>(_e819, _e828, _e837, 0f)), (_e711.member.member_1 - vec4<f32>(_e858, _e867, _e876, 0f))), _e986), type_50(type_32((_e711.member.member + vec4<f32>(_e841, _e845, _e849, 0f)), (_e711.member.member_1 - vec4<f32>(_e880, _e884, _e888, 0f))), _e1011));
+                                            let _e1968 = phi_3720_;
+                                            phi_3724_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e1846, (_e711.member.member.x + _e1798), _e1851, (_e711.member.member_1.x - _e1837)), vec4<f32>(_e1847, (_e711.member.member.y + _e1802), _e1852, (_e711.member.member_1.y - _e1841)), vec4<f32>(_e1848, (_e711.member.member.z + _e1806), _e1853, (_e711.member.member_1.z - _e1845))), type_50(type_32((_e711.member.member + vec4<f32>(_e1776, _e1785, _e1794, 0f)), (_e711.member.member_1 - vec4<f32>(_e1815, _e1824, _e1833, 0f))), _e1943), type_50(type_32((_e711.member.member + vec4<f32>(_e1798, _e1802, _e1806, 0f)), (_e711.member.member_1 - vec4<f32>(_e1837, _e1841, _e1845, 0f))), _e1968));
                                         }
-                                        let _e1016 = phi_3728_;
-                                        let _e1035 = ((_e1016.member[0].x - _e369) * _e374);
-                                        let _e1036 = ((_e1016.member[0].y - _e369) * _e374);
-                                        let _e1037 = ((_e1016.member[0].z - _e370) * _e374);
-                                        let _e1038 = ((_e1016.member[0].w - _e370) * _e374);
-                                        let _e1048 = ((_e1016.member[1].x - _e437) * _e442);
-                                        let _e1049 = ((_e1016.member[1].y - _e437) * _e442);
-                                        let _e1050 = ((_e1016.member[1].z - _e438) * _e442);
-                                        let _e1051 = ((_e1016.member[1].w - _e438) * _e442);
-                                        let _e1061 = ((_e1016.member[2].x - _e505) * _e510);
-                                        let _e1062 = ((_e1016.member[2].y - _e505) * _e510);
-                                        let _e1063 = ((_e1016.member[2].z - _e506) * _e510);
-                                        let _e1064 = ((_e1016.member[2].w - _e506) * _e510);
-                                        let _e1066 = select(_e1063, _e1061, (_e1061 < _e1063));
-                                        let _e1068 = select(_e1064, _e1062, (_e1062 < _e1064));
-                                        let _e1070 = select(_e1063, _e1061, (_e1061 > _e1063));
-                                        let _e1072 = select(_e1064, _e1062, (_e1062 > _e1064));
-                                        let _e1074 = select(_e1037, _e1035, (_e1035 < _e1037));
-                                        let _e1076 = select(_e1038, _e1036, (_e1036 < _e1038));
-                                        let _e1078 = select(_e1050, _e1048, (_e1048 < _e1050));
-                                        let _e1080 = select(_e1051, _e1049, (_e1049 < _e1051));
-                                        let _e1082 = select(_e1078, _e1074, (_e1074 > _e1078));
-                                        let _e1084 = select(_e1080, _e1076, (_e1076 > _e1080));
-                                        let _e1086 = select(_e1066, _e1082, (_e1082 > _e1066));
-                                        let _e1088 = select(_e1068, _e1084, (_e1084 > _e1068));
-                                        let _e1090 = select(_e1037, _e1035, (_e1035 > _e1037));
-                                        let _e1092 = select(_e1038, _e1036, (_e1036 > _e1038));
-                                        let _e1094 = select(_e1050, _e1048, (_e1048 > _e1050));
-                                        let _e1096 = select(_e1051, _e1049, (_e1049 > _e1051));
-                                        let _e1098 = select(_e1094, _e1090, (_e1090 < _e1094));
-                                        let _e1100 = select(_e1096, _e1092, (_e1092 < _e1096));
-                                        let _e1105 = -(_e1066);
-                                        let _e1106 = -(_e1068);
-                                        let _e1113 = (select(_e1070, _e1098, (_e1098 < _e1070)) + (select(_e1105, _e1070, (_e1070 > _e1105)) * 0.0000019073523f));
-                                        let _e1114 = (select(_e1072, _e1100, (_e1100 < _e1072)) + (select(_e1106, _e1072, (_e1072 > _e1106)) * 0.0000019073523f));
-                                        let _e1116 = select(_e622, _e1086, (_e1086 > _e622));
-                                        let _e1118 = select(_e622, _e1088, (_e1088 > _e622));
-                                        let _e1123 = (_e1116 <= select(_e667.member.member_1, _e1113, (_e1113 < _e667.member.member_1)));
-                                        let _e1124 = (_e1118 <= select(_e667.member.member_1, _e1114, (_e1114 < _e667.member.member_1)));
-                                        let _e1125 = (_e1116 <= _e1118);
-                                        if _e1123 {
-                                            if _e1124 {
-                                                if _e1125 {
-                                                    phi_4093_ = _e1016.member_2;
+                                        let _e1973 = phi_3724_;
+                                        let _e1992 = ((_e1973.member[0].x - _e369) * _e374);
+                                        let _e1993 = ((_e1973.member[0].y - _e369) * _e374);
+                                        let _e1994 = ((_e1973.member[0].z - _e370) * _e374);
+                                        let _e1995 = ((_e1973.member[0].w - _e370) * _e374);
+                                        let _e2005 = ((_e1973.member[1].x - _e437) * _e442);
+                                        let _e2006 = ((_e1973.member[1].y - _e437) * _e442);
+                                        let _e2007 = ((_e1973.member[1].z - _e438) * _e442);
+                                        let _e2008 = ((_e1973.member[1].w - _e438) * _e442);
+                                        let _e2018 = ((_e1973.member[2].x - _e505) * _e510);
+                                        let _e2019 = ((_e1973.member[2].y - _e505) * _e510);
+                                        let _e2020 = ((_e1973.member[2].z - _e506) * _e510);
+                                        let _e2021 = ((_e1973.member[2].w - _e506) * _e510);
+                                        let _e2023 = select(_e2020, _e2018, (_e2018 < _e2020));
+                                        let _e2025 = select(_e2021, _e2019, (_e2019 < _e2021));
+                                        let _e2027 = select(_e2020, _e2018, (_e2018 > _e2020));
+                                        let _e2029 = select(_e2021, _e2019, (_e2019 > _e2021));
+                                        let _e2031 = select(_e1994, _e1992, (_e1992 < _e1994));
+                                        let _e2033 = select(_e1995, _e1993, (_e1993 < _e1995));
+                                        let _e2035 = select(_e2007, _e2005, (_e2005 < _e2007));
+                                        let _e2037 = select(_e2008, _e2006, (_e2006 < _e2008));
+                                        let _e2039 = select(_e2035, _e2031, (_e2031 > _e2035));
+                                        let _e2041 = select(_e2037, _e2033, (_e2033 > _e2037));
+                                        let _e2043 = select(_e2023, _e2039, (_e2039 > _e2023));
+                                        let _e2045 = select(_e2025, _e2041, (_e2041 > _e2025));
+                                        let _e2047 = select(_e1994, _e1992, (_e1992 > _e1994));
+                                        let _e2049 = select(_e1995, _e1993, (_e1993 > _e1995));
+                                        let _e2051 = select(_e2007, _e2005, (_e2005 > _e2007));
+                                        let _e2053 = select(_e2008, _e2006, (_e2006 > _e2008));
+                                        let _e2055 = select(_e2051, _e2047, (_e2047 < _e2051));
+                                        let _e2057 = select(_e2053, _e2049, (_e2049 < _e2053));
+                                        let _e2062 = -(_e2023);
+                                        let _e2063 = -(_e2025);
+                                        let _e2070 = (select(_e2027, _e2055, (_e2055 < _e2027)) + (select(_e2062, _e2027, (_e2027 > _e2062)) * 0.0000019073523f));
+                                        let _e2071 = (select(_e2029, _e2057, (_e2057 < _e2029)) + (select(_e2063, _e2029, (_e2029 > _e2063)) * 0.0000019073523f));
+                                        let _e2073 = select(_e622, _e2043, (_e2043 > _e622));
+                                        let _e2075 = select(_e622, _e2045, (_e2045 > _e622));
+                                        let _e2080 = (_e2073 <= select(_e1677.member.member_1, _e2070, (_e2070 < _e1677.member.member_1)));
+                                        let _e2081 = (_e2075 <= select(_e1677.member.member_1, _e2071, (_e2071 < _e1677.member.member_1)));
+                                        let _e2082 = (_e2073 <= _e2075);
+                                        if _e2080 {
+                                            if _e2081 {
+                                                if _e2082 {
+                                                    phi_4089_ = _e1973.member_2;
                                                 } else {
-                                                    phi_4093_ = _e1016.member_1;
+                                                    phi_4089_ = _e1973.member_1;
                                                 }
-                                                let _e1129 = phi_4093_;
-                                                let _e1151 = (_e709 % 128u);
-                                                let _e1152 = (_e1151 < 128u);
-                                                if _e1152 {
+                                                let _e2086 = phi_4089_;
+                                                let _e2107 = (_e709 % 128u);
+                                                let _e2108 = (_e2107 < 128u);
+                                                if _e2108 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1151] = _e1129.member_1;
-                                                if _e1152 {
+                                                local_8[_e2107] = _e2086.member_1;
+                                                if _e2108 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1151] = _e1129.member.member.x;
-                                                if _e1152 {
+                                                local_7[_e2107] = _e2086.member.member.x;
+                                                if _e2108 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1151] = _e1129.member.member.y;
-                                                if _e1152 {
+                                                local_6[_e2107] = _e2086.member.member.y;
+                                                if _e2108 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1151] = _e1129.member.member.z;
-                                                if _e1152 {
+                                                local_5[_e2107] = _e2086.member.member.z;
+                                                if _e2108 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1151] = _e1129.member.member_1.x;
-                                                if _e1152 {
+                                                local_4[_e2107] = _e2086.member.member_1.x;
+                                                if _e2108 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1151] = _e1129.member.member_1.y;
-                                                if _e1152 {
+                                                local_3[_e2107] = _e2086.member.member_1.y;
+                                                if _e2108 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1151] = _e1129.member.member_1.z;
-                                                if _e1152 {
+                                                local_2[_e2107] = _e2086.member.member_1.z;
+                                                if _e2108 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1151] = select(_e1118, _e1116, !(_e1125));
-                                                if _e1125 {
-                                                    phi_4170_ = _e1016.member_1;
+                                                local_9[_e2107] = select(_e2073, _e2075, _e2082);
+                                                if _e2082 {
+                                                    phi_4165_ = _e1973.member_1;
                                                 } else {
-                                                    phi_4170_ = _e1016.member_2;
+                                                    phi_4165_ = _e1973.member_2;
                                                 }
-                                                let _e1165 = phi_4170_;
-                                                phi_4171_ = (_e709 + 1u);
-                                                phi_4172_ = _e1165;
+                                                let _e2121 = phi_4165_;
+                                                phi_4166_ = (_e709 + 1u);
+                                                phi_4167_ = _e2121;
                                             } else {
-                                                phi_4171_ = u32();
-                                                phi_4172_ = type_50();
+                                                phi_4166_ = u32();
+                                                phi_4167_ = type_50();
                                             }
-                                            let _e1167 = phi_4171_;
-                                            let _e1169 = phi_4172_;
-                                            phi_4174_ = _e1167;
-                                            phi_4175_ = _e1169;
-                                            phi_4176_ = select(true, false, _e1124);
+                                            let _e2123 = phi_4166_;
+                                            let _e2125 = phi_4167_;
+                                            phi_4169_ = _e2123;
+                                            phi_4170_ = _e2125;
+                                            phi_4171_ = select(true, false, _e2081);
                                         } else {
-                                            phi_4174_ = u32();
-                                            phi_4175_ = type_50();
-                                            phi_4176_ = true;
+                                            phi_4169_ = u32();
+                                            phi_4170_ = type_50();
+                                            phi_4171_ = true;
                                         }
-                                        let _e1172 = phi_4174_;
-                                        let _e1174 = phi_4175_;
-                                        let _e1176 = phi_4176_;
-                                        if _e1176 {
-                                            if _e1123 {
-                                                phi_4185_ = _e1016.member_1;
+                                        let _e2128 = phi_4169_;
+                                        let _e2130 = phi_4170_;
+                                        let _e2132 = phi_4171_;
+                                        if _e2132 {
+                                            if _e2080 {
+                                                phi_4180_ = _e1973.member_1;
                                             } else {
-                                                phi_4185_ = _e1016.member_2;
+                                                phi_4180_ = _e1973.member_2;
                                             }
-                                            let _e1180 = phi_4185_;
-                                            phi_4190_ = select(_e1124, true, _e1123);
-                                            phi_4192_ = _e1180;
+                                            let _e2136 = phi_4180_;
+                                            phi_4185_ = select(_e2081, true, _e2080);
+                                            phi_4187_ = _e2136;
                                         } else {
-                                            phi_4190_ = _e707;
-                                            phi_4192_ = _e1174;
+                                            phi_4185_ = _e707;
+                                            phi_4187_ = _e2130;
                                         }
-                                        let _e1183 = phi_4190_;
-                                        let _e1185 = phi_4192_;
-                                        phi_4636_ = _e665;
-                                        phi_4197_ = type_43(_e667.member, (_e667.member_1 + 1u), _e667.member_2);
-                                        phi_4198_ = _e1183;
-                                        phi_4199_ = select(_e1172, _e709, _e1176);
-                                        phi_4200_ = _e1185;
+                                        let _e2139 = phi_4185_;
+                                        let _e2141 = phi_4187_;
+                                        phi_4192_ = type_43(_e1677.member, (_e1677.member_1 + 1u), _e1677.member_2);
+                                        phi_4193_ = _e2139;
+                                        phi_4194_ = select(_e2128, _e709, _e2132);
+                                        phi_4195_ = _e2141;
                                     }
-                                    let _e2141 = phi_4636_;
-                                    let _e2143 = phi_4197_;
-                                    let _e2145 = phi_4198_;
-                                    let _e2147 = phi_4199_;
-                                    let _e2149 = phi_4200_;
-                                    phi_4635_ = _e2141;
-                                    phi_4201_ = _e2143;
-                                    phi_4202_ = _e2145;
-                                    phi_4203_ = (_e671 - 1u);
-                                    phi_4204_ = _e2147;
-                                    phi_4205_ = _e2149;
+                                    let _e2144 = phi_4192_;
+                                    let _e2146 = phi_4193_;
+                                    let _e2148 = phi_4194_;
+                                    let _e2150 = phi_4195_;
+                                    if _e715 {
+                                        phi_4203_ = _e1677;
+                                        phi_4206_ = _e711;
+                                    } else {
+                                        phi_4203_ = _e2144;
+                                        phi_4206_ = _e2150;
+                                    }
+                                    let _e2152 = phi_4203_;
+                                    let _e2154 = phi_4206_;
+                                    phi_4641_ = _e1675;
+                                    phi_4207_ = _e2152;
+                                    phi_4208_ = (_e669 - 1u);
+                                    phi_4209_ = select(_e2146, false, _e715);
+                                    phi_4210_ = select(_e2148, _e709, _e715);
+                                    phi_4211_ = _e2154;
                                 } else {
-                                    phi_4635_ = _e665;
-                                    phi_4201_ = _e667;
-                                    phi_4202_ = _e707;
-                                    phi_4203_ = _e671;
-                                    phi_4204_ = _e709;
-                                    phi_4205_ = _e711;
+                                    phi_4641_ = _e665;
+                                    phi_4207_ = _e667;
+                                    phi_4208_ = _e669;
+                                    phi_4209_ = _e707;
+                                    phi_4210_ = _e709;
+                                    phi_4211_ = _e711;
                                 }
-                                let _e2151 = phi_4635_;
-                                let _e2153 = phi_4201_;
-                                let _e2155 = phi_4202_;
-                                let _e2157 = phi_4203_;
-                                let _e2159 = phi_4204_;
-                                let _e2161 = phi_4205_;
-                                phi_4634_ = _e2151;
-                                phi_4206_ = _e2153;
-                                phi_4207_ = _e2155;
-                                phi_4208_ = _e2157;
-                                phi_4209_ = _e2159;
-                                phi_4210_ = _e2161;
+                                let _e2158 = phi_4641_;
+                                let _e2160 = phi_4207_;
+                                let _e2162 = phi_4208_;
+                                let _e2164 = phi_4209_;
+                                let _e2166 = phi_4210_;
+                                let _e2168 = phi_4211_;
+                                phi_4640_ = _e2158;
+                                phi_4212_ = _e2160;
+                                phi_4213_ = _e2162;
+                                phi_4214_ = _e2164;
+                                phi_4215_ = _e2166;
+                                phi_4216_ = _e2168;
                             } else {
-                                phi_4634_ = _e665;
-                                phi_4206_ = type_43();
-                                phi_4207_ = bool();
-                                phi_4208_ = u32();
-                                phi_4209_ = u32();
-                                phi_4210_ = type_50();
+                                phi_4640_ = _e665;
+                                phi_4212_ = type_43();
+                                phi_4213_ = u32();
+                                phi_4214_ = bool();
+                                phi_4215_ = u32();
+                                phi_4216_ = type_50();
                             }
-                            let _e2163 = phi_4634_;
-                            let _e2165 = phi_4206_;
-                            let _e2167 = phi_4207_;
-                            let _e2169 = phi_4208_;
-                            let _e2171 = phi_4209_;
-                            let _e2173 = phi_4210_;
-                            phi_4633_ = _e2163;
-                            phi_1095_ = _e2165;
-                            phi_1098_ = _e2167;
-                            phi_1100_ = _e2169;
-                            phi_1102_ = _e2171;
-                            phi_1104_ = _e2173;
-                            phi_4211_ = _e679;
+                            let _e2170 = phi_4640_;
+                            let _e2172 = phi_4212_;
+                            let _e2174 = phi_4213_;
+                            let _e2176 = phi_4214_;
+                            let _e2178 = phi_4215_;
+                            let _e2180 = phi_4216_;
+                            phi_4639_ = _e2170;
+                            phi_1095_ = _e2172;
+                            phi_1098_ = _e2174;
+                            phi_1100_ = _e2176;
+                            phi_1102_ = _e2178;
+                            phi_1104_ = _e2180;
+                            phi_4217_ = _e679;
                         } else {
-                            phi_4633_ = _e665;
+                            phi_4639_ = _e665;
                             phi_1095_ = type_43();
-                            phi_1098_ = bool();
-                            phi_1100_ = u32();
+                            phi_1098_ = u32();
+                            phi_1100_ = bool();
                             phi_1102_ = u32();
                             phi_1104_ = type_50();
-                            phi_4211_ = false;
+                            phi_4217_ = false;
                         }
-                        let _e2175 = phi_4633_;
-                        let _e2177 = phi_1095_;
-                        let _e2179 = phi_1098_;
-                        let _e2181 = phi_1100_;
-                        let _e2183 = phi_1102_;
-                        let _e2185 = phi_1104_;
-                        let _e2187 = phi_4211_;
+                        let _e2182 = phi_4639_;
+                        let _e2184 = phi_1095_;
+                        let _e2186 = phi_1098_;
+                        let _e2188 = phi_1100_;
+                        let _e2190 = phi_1102_;
+                        let _e2192 = phi_1104_;
+                        let _e2194 = phi_4217_;
                         continue;
                         continuing {
-                            phi_4431_ = _e2175;
-                            phi_1094_ = _e2177;
-                            phi_1097_ = _e2179;
-                            phi_1099_ = _e2181;
-                            phi_1101_ = _e2183;
-                            phi_1103_ = _e2185;
-                            phi_4632_ = _e2175;
-                            break if !(_e2187);
+                            phi_4437_ = _e2182;
+                            phi_1094_ = _e2184;
+                            phi_1097_ = _e2186;
+                            phi_1099_ = _e2188;
+                            phi_1101_ = _e2190;
+                            phi_1103_ = _e2192;
+                            phi_4638_ = _e2182;
+                            break if !(_e2194);
                         }
                     }
-                    let _e2190 = phi_4632_;
-                    if _e2190 {
+                    let _e2197 = phi_4638_;
+                    if _e2197 {
                         break;
                     }
-                    let _e2192 = local_10;
-                    let _e2195 = local_11;
+                    let _e2199 = local_10;
+                    let _e2202 = local_11;
                     if _e155 {
                     } else {
                         break;
                     }
-                    global_6.member[_e153][0u] = _e2192.member_1;
-                    global_6.member[_e153][1u] = _e2195.member_2;
+                    global_6.member[_e153][0u] = _e2199.member_1;
+                    global_6.member[_e153][1u] = _e2202.member_2;
                 }
             }
             break;

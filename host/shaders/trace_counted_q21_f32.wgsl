@@ -133,34 +133,16 @@ fn function_() {
     var phi_975_: u32;
     var phi_983_: f32;
     var phi_984_: f32;
-    var phi_3757_: bool;
+    var phi_3763_: bool;
     var phi_1081_: type_40;
-    var phi_1084_: bool;
-    var phi_1086_: u32;
+    var phi_1084_: u32;
+    var phi_1086_: bool;
     var phi_1088_: u32;
     var phi_1090_: type_51;
     var phi_1101_: bool;
     var phi_1187_: bool;
     var phi_1188_: u32;
     var phi_1189_: type_51;
-    var phi_3015_: u32;
-    var phi_3016_: u32;
-    var phi_3026_: u32;
-    var phi_3028_: u32;
-    var phi_3029_: bool;
-    var phi_3049_: u32;
-    var phi_3050_: u32;
-    var phi_3054_: type_52;
-    var phi_3419_: type_51;
-    var phi_3496_: type_51;
-    var phi_3497_: u32;
-    var phi_3498_: type_51;
-    var phi_3500_: u32;
-    var phi_3501_: type_51;
-    var phi_3502_: bool;
-    var phi_3511_: type_51;
-    var phi_3516_: bool;
-    var phi_3518_: type_51;
     var phi_1207_: type_40;
     var phi_1210_: type_4;
     var phi_1211_: type_4;
@@ -208,32 +190,53 @@ fn function_() {
     var phi_2282_: type_40;
     var phi_2283_: type_40;
     var phi_1208_: type_40;
-    var phi_3751_: bool;
-    var phi_3915_: bool;
-    var phi_3523_: type_40;
-    var phi_3524_: bool;
-    var phi_3525_: u32;
-    var phi_3526_: type_51;
-    var phi_3914_: bool;
-    var phi_3527_: type_40;
-    var phi_3528_: bool;
-    var phi_3529_: u32;
-    var phi_3530_: u32;
-    var phi_3531_: type_51;
-    var phi_3913_: bool;
-    var phi_3532_: type_40;
-    var phi_3533_: bool;
+    var phi_3757_: bool;
+    var phi_4003_: bool;
+    var phi_2284_: type_40;
+    var phi_3011_: u32;
+    var phi_3012_: u32;
+    var phi_3022_: u32;
+    var phi_3024_: u32;
+    var phi_3025_: bool;
+    var phi_3045_: u32;
+    var phi_3046_: u32;
+    var phi_3050_: type_52;
+    var phi_3415_: type_51;
+    var phi_3491_: type_51;
+    var phi_3492_: u32;
+    var phi_3493_: type_51;
+    var phi_3495_: u32;
+    var phi_3496_: type_51;
+    var phi_3497_: bool;
+    var phi_3506_: type_51;
+    var phi_3511_: bool;
+    var phi_3513_: type_51;
+    var phi_3518_: type_40;
+    var phi_3519_: bool;
+    var phi_3520_: u32;
+    var phi_3521_: type_51;
+    var phi_3529_: type_40;
+    var phi_3532_: type_51;
+    var phi_3920_: bool;
+    var phi_3533_: type_40;
     var phi_3534_: u32;
-    var phi_3535_: u32;
-    var phi_3536_: type_51;
-    var phi_3912_: bool;
+    var phi_3535_: bool;
+    var phi_3536_: u32;
+    var phi_3537_: type_51;
+    var phi_3919_: bool;
+    var phi_3538_: type_40;
+    var phi_3539_: u32;
+    var phi_3540_: bool;
+    var phi_3541_: u32;
+    var phi_3542_: type_51;
+    var phi_3918_: bool;
     var phi_1082_: type_40;
-    var phi_1085_: bool;
-    var phi_1087_: u32;
+    var phi_1085_: u32;
+    var phi_1087_: bool;
     var phi_1089_: u32;
     var phi_1091_: type_51;
-    var phi_3537_: bool;
-    var phi_3911_: bool;
+    var phi_3543_: bool;
+    var phi_3917_: bool;
     var local_10: type_40;
     var local_11: type_40;
     var local_12: type_40;
@@ -600,14 +603,14 @@ fn function_() {
                         break;
                     }
                     let _e646 = local[_e630];
-                    phi_3757_ = false;
+                    phi_3763_ = false;
                     phi_1081_ = type_40(type_34(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e611), 0u, 0u);
-                    phi_1084_ = (_e613 <= _e611);
-                    phi_1086_ = ((3u * _e88) + 1u);
+                    phi_1084_ = ((3u * _e88) + 1u);
+                    phi_1086_ = (_e613 <= _e611);
                     phi_1088_ = 0u;
                     phi_1090_ = type_51(type_29(vec4<f32>((f32(_e621) * _e138), (f32(_e627) * _e138), (f32(_e633) * _e138), 0f), vec4<f32>((f32(_e638) * _e138), (f32(_e642) * _e138), (f32(_e646) * _e138), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
                     loop {
-                        let _e656 = phi_3757_;
+                        let _e656 = phi_3763_;
                         let _e658 = phi_1081_;
                         let _e660 = phi_1084_;
                         let _e662 = phi_1086_;
@@ -615,17 +618,17 @@ fn function_() {
                         let _e666 = phi_1090_;
                         local_10 = _e658;
                         local_11 = _e658;
-                        if _e660 {
+                        if _e662 {
                             phi_1101_ = true;
                         } else {
                             phi_1101_ = (_e664 > 0u);
                         }
                         let _e669 = phi_1101_;
                         if _e669 {
-                            let _e670 = (_e662 > 0u);
+                            let _e670 = (_e660 > 0u);
                             if _e670 {
-                                if _e660 {
-                                    phi_1187_ = _e660;
+                                if _e662 {
+                                    phi_1187_ = _e662;
                                     phi_1188_ = _e664;
                                     phi_1189_ = _e666;
                                 } else {
@@ -634,49 +637,49 @@ fn function_() {
                                     let _e673 = (_e672 < 128u);
                                     if _e673 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e675 = local_7[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e677 = local_6[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e679 = local_5[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e681 = local_4[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e683 = local_3[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e685 = local_2[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e690 = local_8[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3911_ = true;
+                                        phi_3917_ = true;
                                         break;
                                     }
                                     let _e693 = local_9[_e672];
@@ -688,822 +691,838 @@ fn function_() {
                                 let _e700 = phi_1188_;
                                 let _e702 = phi_1189_;
                                 if _e698 {
-                                    if ((_e702.member_1 & 2147483648u) != 0u) {
+                                    let _e706 = ((_e702.member_1 & 2147483648u) != 0u);
+                                    if _e706 {
                                         phi_1207_ = _e658;
                                         phi_1210_ = type_4(0u, ((_e702.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1177 = phi_1207_;
-                                            let _e1179 = phi_1210_;
-                                            local_12 = _e1177;
-                                            if (_e1179.member < _e1179.member_1) {
-                                                phi_1211_ = type_4((_e1179.member + 1u), _e1179.member_1);
-                                                phi_1233_ = type_4(1u, _e1179.member);
+                                            let _e713 = phi_1207_;
+                                            let _e715 = phi_1210_;
+                                            local_12 = _e713;
+                                            if (_e715.member < _e715.member_1) {
+                                                phi_1211_ = type_4((_e715.member + 1u), _e715.member_1);
+                                                phi_1233_ = type_4(1u, _e715.member);
                                             } else {
-                                                phi_1211_ = _e1179;
+                                                phi_1211_ = _e715;
                                                 phi_1233_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1192 = phi_1211_;
-                                            let _e1194 = phi_1233_;
-                                            let _e1198 = (bitcast<i32>(_e1194.member) != 0i);
-                                            if _e1198 {
-                                                let _e1204 = type_40(_e1177.member, _e1177.member_1, (_e1177.member_2 + 1u));
-                                                let _e1205 = ((_e702.member_1 & 268435455u) + _e1194.member_1);
-                                                let _e1206 = (_e1205 < _e90);
-                                                if _e1206 {
-                                                    if _e1206 {
+                                            let _e728 = phi_1211_;
+                                            let _e730 = phi_1233_;
+                                            let _e734 = (bitcast<i32>(_e730.member) != 0i);
+                                            if _e734 {
+                                                let _e740 = type_40(_e713.member, _e713.member_1, (_e713.member_2 + 1u));
+                                                let _e741 = ((_e702.member_1 & 268435455u) + _e730.member_1);
+                                                let _e742 = (_e741 < _e90);
+                                                if _e742 {
+                                                    if _e742 {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1210 = global_2.member[_e1205].member_1;
-                                                    phi_1257_ = _e1210;
+                                                    let _e746 = global_2.member[_e741].member_1;
+                                                    phi_1257_ = _e746;
                                                 } else {
                                                     phi_1257_ = 4294967295u;
                                                 }
-                                                let _e1212 = phi_1257_;
-                                                if (_e1205 >= _e90) {
+                                                let _e748 = phi_1257_;
+                                                if (_e741 >= _e90) {
                                                     phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1206 {
+                                                    if _e742 {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
                                                     if (_e618 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1219 = global_2.member[_e1205].member[_e618];
+                                                    let _e755 = global_2.member[_e741].member[_e618];
                                                     if (_e624 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1225 = global_2.member[_e1205].member[_e624];
+                                                    let _e761 = global_2.member[_e741].member[_e624];
                                                     if (_e630 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1231 = global_2.member[_e1205].member[_e630];
-                                                    let _e1233 = (3u + _e618);
-                                                    if (_e1233 < 9u) {
+                                                    let _e767 = global_2.member[_e741].member[_e630];
+                                                    let _e769 = (3u + _e618);
+                                                    if (_e769 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1239 = global_2.member[_e1205].member[_e1233];
-                                                    let _e1240 = (3u + _e624);
-                                                    if (_e1240 < 9u) {
+                                                    let _e775 = global_2.member[_e741].member[_e769];
+                                                    let _e776 = (3u + _e624);
+                                                    if (_e776 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1246 = global_2.member[_e1205].member[_e1240];
-                                                    let _e1247 = (3u + _e630);
-                                                    if (_e1247 < 9u) {
+                                                    let _e782 = global_2.member[_e741].member[_e776];
+                                                    let _e783 = (3u + _e630);
+                                                    if (_e783 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1253 = global_2.member[_e1205].member[_e1247];
-                                                    let _e1255 = (6u + _e618);
-                                                    if (_e1255 < 9u) {
+                                                    let _e789 = global_2.member[_e741].member[_e783];
+                                                    let _e791 = (6u + _e618);
+                                                    if (_e791 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1261 = global_2.member[_e1205].member[_e1255];
-                                                    let _e1262 = (6u + _e624);
-                                                    if (_e1262 < 9u) {
+                                                    let _e797 = global_2.member[_e741].member[_e791];
+                                                    let _e798 = (6u + _e624);
+                                                    if (_e798 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1268 = global_2.member[_e1205].member[_e1262];
-                                                    let _e1269 = (6u + _e630);
-                                                    if (_e1269 < 9u) {
+                                                    let _e804 = global_2.member[_e741].member[_e798];
+                                                    let _e805 = (6u + _e630);
+                                                    if (_e805 < 9u) {
                                                     } else {
-                                                        phi_3751_ = true;
+                                                        phi_3757_ = true;
                                                         break;
                                                     }
-                                                    let _e1275 = global_2.member[_e1205].member[_e1269];
-                                                    phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1219, _e1225, _e1231), array<f32, 3>(_e1239, _e1246, _e1253), array<f32, 3>(_e1261, _e1268, _e1275));
+                                                    let _e811 = global_2.member[_e741].member[_e805];
+                                                    phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(_e755, _e761, _e767), array<f32, 3>(_e775, _e782, _e789), array<f32, 3>(_e797, _e804, _e811));
                                                 }
-                                                let _e1279 = phi_1349_;
-                                                let _e1288 = (_e1279[0][2] - _e459);
-                                                let _e1291 = (((_e1279[0][0] - _e322) * _e498) - (_e1288 * _e362));
-                                                let _e1294 = (((_e1279[0][1] - _e391) * _e498) - (_e1288 * _e430));
-                                                let _e1301 = (_e1279[1][2] - _e459);
-                                                let _e1304 = (((_e1279[1][0] - _e322) * _e498) - (_e1301 * _e362));
-                                                let _e1307 = (((_e1279[1][1] - _e391) * _e498) - (_e1301 * _e430));
-                                                let _e1314 = (_e1279[2][2] - _e459);
-                                                let _e1317 = (((_e1279[2][0] - _e322) * _e498) - (_e1314 * _e362));
-                                                let _e1320 = (((_e1279[2][1] - _e391) * _e498) - (_e1314 * _e430));
-                                                let _e1321 = (_e1317 * _e1307);
-                                                let _e1322 = (_e1320 * _e1304);
-                                                let _e1323 = (_e1291 * _e1320);
-                                                let _e1324 = (_e1294 * _e1317);
-                                                let _e1325 = (_e1304 * _e1294);
-                                                let _e1326 = (_e1307 * _e1291);
-                                                let _e1331 = (((_e1321 >= _e1322) && (_e1323 >= _e1324)) && (_e1325 >= _e1326));
-                                                if (_e1331 || (((_e1321 <= _e1322) && (_e1323 <= _e1324)) && (_e1325 <= _e1326))) {
-                                                    let _e1338 = select(-1f, 1f, _e1331);
-                                                    let _e1340 = ((_e1321 - _e1322) * _e1338);
-                                                    let _e1342 = select(0f, _e1340, (_e1340 > 0f));
-                                                    let _e1344 = ((_e1323 - _e1324) * _e1338);
-                                                    let _e1346 = select(0f, _e1344, (_e1344 > 0f));
-                                                    let _e1348 = ((_e1325 - _e1326) * _e1338);
-                                                    let _e1350 = select(0f, _e1348, (_e1348 > 0f));
-                                                    let _e1352 = ((_e1342 + _e1346) + _e1350);
-                                                    if (_e1352 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e815 = phi_1349_;
+                                                let _e824 = (_e815[0][2] - _e459);
+                                                let _e827 = (((_e815[0][0] - _e322) * _e498) - (_e824 * _e362));
+                                                let _e830 = (((_e815[0][1] - _e391) * _e498) - (_e824 * _e430));
+                                                let _e837 = (_e815[1][2] - _e459);
+                                                let _e840 = (((_e815[1][0] - _e322) * _e498) - (_e837 * _e362));
+                                                let _e843 = (((_e815[1][1] - _e391) * _e498) - (_e837 * _e430));
+                                                let _e850 = (_e815[2][2] - _e459);
+                                                let _e853 = (((_e815[2][0] - _e322) * _e498) - (_e850 * _e362));
+                                                let _e856 = (((_e815[2][1] - _e391) * _e498) - (_e850 * _e430));
+                                                let _e857 = (_e853 * _e843);
+                                                let _e858 = (_e856 * _e840);
+                                                let _e859 = (_e827 * _e856);
+                                                let _e860 = (_e830 * _e853);
+                                                let _e861 = (_e840 * _e830);
+                                                let _e862 = (_e843 * _e827);
+                                                let _e867 = (((_e857 >= _e858) && (_e859 >= _e860)) && (_e861 >= _e862));
+                                                if (_e867 || (((_e857 <= _e858) && (_e859 <= _e860)) && (_e861 <= _e862))) {
+                                                    let _e874 = select(-1f, 1f, _e867);
+                                                    let _e876 = ((_e857 - _e858) * _e874);
+                                                    let _e878 = select(0f, _e876, (_e876 > 0f));
+                                                    let _e880 = ((_e859 - _e860) * _e874);
+                                                    let _e882 = select(0f, _e880, (_e880 > 0f));
+                                                    let _e884 = ((_e861 - _e862) * _e874);
+                                                    let _e886 = select(0f, _e884, (_e884 > 0f));
+                                                    let _e888 = ((_e878 + _e882) + _e886);
+                                                    if (_e888 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2233_ = type_25();
                                                         phi_2234_ = true;
                                                         phi_2235_ = false;
                                                     } else {
-                                                        let _e1355 = select(_e1304, _e1291, (_e1291 < _e1304));
-                                                        if (select(_e1317, _e1355, (_e1355 < _e1317)) > 0f) {
+                                                        let _e891 = select(_e840, _e827, (_e827 < _e840));
+                                                        if (select(_e853, _e891, (_e891 < _e853)) > 0f) {
                                                             phi_1501_ = true;
                                                         } else {
-                                                            let _e1360 = select(_e1304, _e1291, (_e1291 > _e1304));
-                                                            phi_1501_ = (select(_e1317, _e1360, (_e1360 > _e1317)) < 0f);
+                                                            let _e896 = select(_e840, _e827, (_e827 > _e840));
+                                                            phi_1501_ = (select(_e853, _e896, (_e896 > _e853)) < 0f);
                                                         }
-                                                        let _e1365 = phi_1501_;
-                                                        if _e1365 {
+                                                        let _e901 = phi_1501_;
+                                                        if _e901 {
                                                             phi_2230_ = type_25();
                                                             phi_2231_ = true;
                                                             phi_2232_ = false;
                                                         } else {
-                                                            let _e1367 = select(_e1307, _e1294, (_e1294 < _e1307));
-                                                            if (select(_e1320, _e1367, (_e1367 < _e1320)) > 0f) {
+                                                            let _e903 = select(_e843, _e830, (_e830 < _e843));
+                                                            if (select(_e856, _e903, (_e903 < _e856)) > 0f) {
                                                                 phi_1530_ = true;
                                                             } else {
-                                                                let _e1372 = select(_e1307, _e1294, (_e1294 > _e1307));
-                                                                phi_1530_ = (select(_e1320, _e1372, (_e1372 > _e1320)) < 0f);
+                                                                let _e908 = select(_e843, _e830, (_e830 > _e843));
+                                                                phi_1530_ = (select(_e856, _e908, (_e908 > _e856)) < 0f);
                                                             }
-                                                            let _e1377 = phi_1530_;
-                                                            if _e1377 {
+                                                            let _e913 = phi_1530_;
+                                                            if _e913 {
                                                                 phi_2228_ = type_25();
                                                                 phi_2229_ = false;
                                                             } else {
-                                                                let _e1379 = select(_e1279[1][0], _e1279[0][0], (_e1279[0][0] < _e1279[1][0]));
-                                                                let _e1383 = select(_e1279[1][0], _e1279[0][0], (_e1279[0][0] > _e1279[1][0]));
-                                                                let _e1387 = select(_e1279[1][1], _e1279[0][1], (_e1279[0][1] < _e1279[1][1]));
-                                                                let _e1391 = select(_e1279[1][1], _e1279[0][1], (_e1279[0][1] > _e1279[1][1]));
-                                                                let _e1395 = select(_e1279[1][2], _e1279[0][2], (_e1279[0][2] < _e1279[1][2]));
-                                                                let _e1399 = select(_e1279[1][2], _e1279[0][2], (_e1279[0][2] > _e1279[1][2]));
-                                                                let _e1404 = ((select(_e1279[2][0], _e1379, (_e1379 < _e1279[2][0])) - _e360) * _e365);
-                                                                let _e1405 = ((select(_e1279[2][0], _e1383, (_e1383 > _e1279[2][0])) - _e361) * _e365);
-                                                                let _e1408 = ((select(_e1279[2][1], _e1387, (_e1387 < _e1279[2][1])) - _e428) * _e433);
-                                                                let _e1409 = ((select(_e1279[2][1], _e1391, (_e1391 > _e1279[2][1])) - _e429) * _e433);
-                                                                let _e1412 = ((select(_e1279[2][2], _e1395, (_e1395 < _e1279[2][2])) - _e496) * _e501);
-                                                                let _e1413 = ((select(_e1279[2][2], _e1399, (_e1399 > _e1279[2][2])) - _e497) * _e501);
-                                                                let _e1415 = select(_e1413, _e1412, (_e1412 < _e1413));
-                                                                let _e1417 = select(_e1413, _e1412, (_e1412 > _e1413));
-                                                                let _e1419 = select(_e1405, _e1404, (_e1404 < _e1405));
-                                                                let _e1421 = select(_e1409, _e1408, (_e1408 < _e1409));
-                                                                let _e1423 = select(_e1421, _e1419, (_e1419 > _e1421));
-                                                                let _e1425 = select(_e1415, _e1423, (_e1423 > _e1415));
-                                                                let _e1427 = select(_e1405, _e1404, (_e1404 > _e1405));
-                                                                let _e1429 = select(_e1409, _e1408, (_e1408 > _e1409));
-                                                                let _e1431 = select(_e1429, _e1427, (_e1427 < _e1429));
-                                                                let _e1433 = select(_e1417, _e1431, (_e1431 < _e1417));
-                                                                let _e1434 = -(_e1415);
-                                                                let _e1440 = select(_e613, _e1425, (_e1425 > _e613));
-                                                                if (_e1440 > (_e1433 + (select(_e1434, _e1417, (_e1417 > _e1434)) * 0.0000019073523f))) {
+                                                                let _e915 = select(_e815[1][0], _e815[0][0], (_e815[0][0] < _e815[1][0]));
+                                                                let _e919 = select(_e815[1][0], _e815[0][0], (_e815[0][0] > _e815[1][0]));
+                                                                let _e923 = select(_e815[1][1], _e815[0][1], (_e815[0][1] < _e815[1][1]));
+                                                                let _e927 = select(_e815[1][1], _e815[0][1], (_e815[0][1] > _e815[1][1]));
+                                                                let _e931 = select(_e815[1][2], _e815[0][2], (_e815[0][2] < _e815[1][2]));
+                                                                let _e935 = select(_e815[1][2], _e815[0][2], (_e815[0][2] > _e815[1][2]));
+                                                                let _e940 = ((select(_e815[2][0], _e915, (_e915 < _e815[2][0])) - _e360) * _e365);
+                                                                let _e941 = ((select(_e815[2][0], _e919, (_e919 > _e815[2][0])) - _e361) * _e365);
+                                                                let _e944 = ((select(_e815[2][1], _e923, (_e923 < _e815[2][1])) - _e428) * _e433);
+                                                                let _e945 = ((select(_e815[2][1], _e927, (_e927 > _e815[2][1])) - _e429) * _e433);
+                                                                let _e948 = ((select(_e815[2][2], _e931, (_e931 < _e815[2][2])) - _e496) * _e501);
+                                                                let _e949 = ((select(_e815[2][2], _e935, (_e935 > _e815[2][2])) - _e497) * _e501);
+                                                                let _e951 = select(_e949, _e948, (_e948 < _e949));
+                                                                let _e953 = select(_e949, _e948, (_e948 > _e949));
+                                                                let _e955 = select(_e941, _e940, (_e940 < _e941));
+                                                                let _e957 = select(_e945, _e944, (_e944 < _e945));
+                                                                let _e959 = select(_e957, _e955, (_e955 > _e957));
+                                                                let _e961 = select(_e951, _e959, (_e959 > _e951));
+                                                                let _e963 = select(_e941, _e940, (_e940 > _e941));
+                                                                let _e965 = select(_e945, _e944, (_e944 > _e945));
+                                                                let _e967 = select(_e965, _e963, (_e963 < _e965));
+                                                                let _e969 = select(_e953, _e967, (_e967 < _e953));
+                                                                let _e970 = -(_e951);
+                                                                let _e976 = select(_e613, _e961, (_e961 > _e613));
+                                                                if (_e976 > (_e969 + (select(_e970, _e953, (_e953 > _e970)) * 0.0000019073523f))) {
                                                                     phi_2223_ = type_25();
                                                                     phi_2224_ = true;
                                                                 } else {
-                                                                    let _e1442 = (_e1440 > _e1177.member.member_1);
-                                                                    if _e1442 {
+                                                                    let _e978 = (_e976 > _e713.member.member_1);
+                                                                    if _e978 {
                                                                         phi_2222_ = type_25();
                                                                     } else {
-                                                                        let _e1443 = vec3<f32>(_e1279[0][0], _e1279[0][1], _e1279[0][2]);
-                                                                        let _e1444 = vec3<f32>(_e1279[1][0], _e1279[1][1], _e1279[1][2]);
-                                                                        let _e1445 = vec3<f32>(_e1279[2][0], _e1279[2][1], _e1279[2][2]);
-                                                                        let _e1446 = (_e1279[1][0] - _e1279[0][0]);
-                                                                        let _e1447 = (_e1279[1][1] - _e1279[0][1]);
-                                                                        let _e1448 = (_e1279[1][2] - _e1279[0][2]);
-                                                                        let _e1449 = vec3<f32>(_e1446, _e1447, _e1448);
-                                                                        let _e1450 = (_e1279[2][0] - _e1279[1][0]);
-                                                                        let _e1451 = (_e1279[2][1] - _e1279[1][1]);
-                                                                        let _e1452 = (_e1279[2][2] - _e1279[1][2]);
-                                                                        let _e1453 = vec3<f32>(_e1450, _e1451, _e1452);
-                                                                        let _e1454 = (_e1279[0][0] - _e1279[2][0]);
-                                                                        let _e1455 = (_e1279[0][1] - _e1279[2][1]);
-                                                                        let _e1456 = (_e1279[0][2] - _e1279[2][2]);
-                                                                        let _e1457 = vec3<f32>(_e1454, _e1455, _e1456);
-                                                                        let _e1460 = bitcast<f32>((bitcast<u32>(_e1446) & 2147483647u));
-                                                                        let _e1463 = bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u));
-                                                                        let _e1465 = select(_e1463, _e1460, (_e1460 > _e1463));
-                                                                        let _e1468 = bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u));
-                                                                        let _e1470 = select(_e1468, _e1465, (_e1465 > _e1468));
-                                                                        let _e1473 = bitcast<f32>((bitcast<u32>(_e1450) & 2147483647u));
-                                                                        let _e1476 = bitcast<f32>((bitcast<u32>(_e1451) & 2147483647u));
-                                                                        let _e1478 = select(_e1476, _e1473, (_e1473 > _e1476));
-                                                                        let _e1481 = bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u));
-                                                                        let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
-                                                                        let _e1486 = bitcast<f32>((bitcast<u32>(_e1454) & 2147483647u));
-                                                                        let _e1489 = bitcast<f32>((bitcast<u32>(_e1455) & 2147483647u));
-                                                                        let _e1491 = select(_e1489, _e1486, (_e1486 > _e1489));
-                                                                        let _e1494 = bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u));
-                                                                        let _e1496 = select(_e1494, _e1491, (_e1491 > _e1494));
-                                                                        let _e1498 = select(_e1483, _e1470, (_e1470 > _e1483));
-                                                                        let _e1500 = select(_e1496, _e1498, (_e1498 > _e1496));
-                                                                        if (_e1470 == _e1500) {
-                                                                            phi_1949_ = _e1307;
-                                                                            phi_1950_ = _e1304;
-                                                                            phi_1951_ = _e1294;
-                                                                            phi_1952_ = _e1291;
-                                                                            phi_1953_ = _e1443;
-                                                                            phi_1954_ = _e1457;
-                                                                            phi_1955_ = _e1453;
-                                                                            phi_1956_ = _e1449;
+                                                                        let _e979 = vec3<f32>(_e815[0][0], _e815[0][1], _e815[0][2]);
+                                                                        let _e980 = vec3<f32>(_e815[1][0], _e815[1][1], _e815[1][2]);
+                                                                        let _e981 = vec3<f32>(_e815[2][0], _e815[2][1], _e815[2][2]);
+                                                                        let _e982 = (_e815[1][0] - _e815[0][0]);
+                                                                        let _e983 = (_e815[1][1] - _e815[0][1]);
+                                                                        let _e984 = (_e815[1][2] - _e815[0][2]);
+                                                                        let _e985 = vec3<f32>(_e982, _e983, _e984);
+                                                                        let _e986 = (_e815[2][0] - _e815[1][0]);
+                                                                        let _e987 = (_e815[2][1] - _e815[1][1]);
+                                                                        let _e988 = (_e815[2][2] - _e815[1][2]);
+                                                                        let _e989 = vec3<f32>(_e986, _e987, _e988);
+                                                                        let _e990 = (_e815[0][0] - _e815[2][0]);
+                                                                        let _e991 = (_e815[0][1] - _e815[2][1]);
+                                                                        let _e992 = (_e815[0][2] - _e815[2][2]);
+                                                                        let _e993 = vec3<f32>(_e990, _e991, _e992);
+                                                                        let _e996 = bitcast<f32>((bitcast<u32>(_e982) & 2147483647u));
+                                                                        let _e999 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
+                                                                        let _e1001 = select(_e999, _e996, (_e996 > _e999));
+                                                                        let _e1004 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
+                                                                        let _e1006 = select(_e1004, _e1001, (_e1001 > _e1004));
+                                                                        let _e1009 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
+                                                                        let _e1012 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
+                                                                        let _e1014 = select(_e1012, _e1009, (_e1009 > _e1012));
+                                                                        let _e1017 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
+                                                                        let _e1019 = select(_e1017, _e1014, (_e1014 > _e1017));
+                                                                        let _e1022 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
+                                                                        let _e1025 = bitcast<f32>((bitcast<u32>(_e991) & 2147483647u));
+                                                                        let _e1027 = select(_e1025, _e1022, (_e1022 > _e1025));
+                                                                        let _e1030 = bitcast<f32>((bitcast<u32>(_e992) & 2147483647u));
+                                                                        let _e1032 = select(_e1030, _e1027, (_e1027 > _e1030));
+                                                                        let _e1034 = select(_e1019, _e1006, (_e1006 > _e1019));
+                                                                        let _e1036 = select(_e1032, _e1034, (_e1034 > _e1032));
+                                                                        if (_e1006 == _e1036) {
+                                                                            phi_1949_ = _e843;
+                                                                            phi_1950_ = _e840;
+                                                                            phi_1951_ = _e830;
+                                                                            phi_1952_ = _e827;
+                                                                            phi_1953_ = _e979;
+                                                                            phi_1954_ = _e993;
+                                                                            phi_1955_ = _e989;
+                                                                            phi_1956_ = _e985;
                                                                         } else {
-                                                                            let _e1502 = (_e1483 == _e1500);
-                                                                            let _e1507 = vec3(_e1502);
-                                                                            phi_1949_ = select(_e1294, _e1320, _e1502);
-                                                                            phi_1950_ = select(_e1291, _e1317, _e1502);
-                                                                            phi_1951_ = select(_e1320, _e1307, _e1502);
-                                                                            phi_1952_ = select(_e1317, _e1304, _e1502);
-                                                                            phi_1953_ = select(_e1445, _e1444, _e1507);
-                                                                            phi_1954_ = select(_e1453, _e1449, _e1507);
-                                                                            phi_1955_ = select(_e1449, _e1457, _e1507);
-                                                                            phi_1956_ = select(_e1457, _e1453, _e1507);
+                                                                            let _e1038 = (_e1019 == _e1036);
+                                                                            let _e1043 = vec3(_e1038);
+                                                                            phi_1949_ = select(_e830, _e856, _e1038);
+                                                                            phi_1950_ = select(_e827, _e853, _e1038);
+                                                                            phi_1951_ = select(_e856, _e843, _e1038);
+                                                                            phi_1952_ = select(_e853, _e840, _e1038);
+                                                                            phi_1953_ = select(_e981, _e980, _e1043);
+                                                                            phi_1954_ = select(_e989, _e985, _e1043);
+                                                                            phi_1955_ = select(_e985, _e993, _e1043);
+                                                                            phi_1956_ = select(_e993, _e989, _e1043);
                                                                         }
-                                                                        let _e1513 = phi_1949_;
-                                                                        let _e1515 = phi_1950_;
-                                                                        let _e1517 = phi_1951_;
-                                                                        let _e1519 = phi_1952_;
-                                                                        let _e1521 = phi_1953_;
-                                                                        let _e1523 = phi_1954_;
-                                                                        let _e1525 = phi_1955_;
-                                                                        let _e1527 = phi_1956_;
-                                                                        let _e1534 = ((_e1525.y * _e1523.z) - (_e1523.y * _e1525.z));
-                                                                        let _e1539 = ((_e1525.z * _e1523.x) - (_e1523.z * _e1525.x));
-                                                                        let _e1542 = ((_e1525.x * _e1523.y) - (_e1523.x * _e1525.y));
-                                                                        if (_e1342 >= _e1346) {
-                                                                            phi_1993_ = select(true, false, (_e1342 >= _e1350));
+                                                                        let _e1049 = phi_1949_;
+                                                                        let _e1051 = phi_1950_;
+                                                                        let _e1053 = phi_1951_;
+                                                                        let _e1055 = phi_1952_;
+                                                                        let _e1057 = phi_1953_;
+                                                                        let _e1059 = phi_1954_;
+                                                                        let _e1061 = phi_1955_;
+                                                                        let _e1063 = phi_1956_;
+                                                                        let _e1070 = ((_e1061.y * _e1059.z) - (_e1059.y * _e1061.z));
+                                                                        let _e1075 = ((_e1061.z * _e1059.x) - (_e1059.z * _e1061.x));
+                                                                        let _e1078 = ((_e1061.x * _e1059.y) - (_e1059.x * _e1061.y));
+                                                                        if (_e878 >= _e882) {
+                                                                            phi_1993_ = select(true, false, (_e878 >= _e886));
                                                                         } else {
                                                                             phi_1993_ = true;
                                                                         }
-                                                                        let _e1547 = phi_1993_;
-                                                                        if _e1547 {
-                                                                            phi_2002_ = select(_e1445, _e1444, vec3((_e1346 >= _e1350)));
+                                                                        let _e1083 = phi_1993_;
+                                                                        if _e1083 {
+                                                                            phi_2002_ = select(_e981, _e980, vec3((_e882 >= _e886)));
                                                                         } else {
-                                                                            phi_2002_ = _e1443;
+                                                                            phi_2002_ = _e979;
                                                                         }
-                                                                        let _e1552 = phi_2002_;
-                                                                        let _e1563 = (((_e1534 * (_e1552.x - _e322)) + (_e1539 * (_e1552.y - _e391))) + (_e1542 * (_e1552.z - _e459)));
-                                                                        let _e1568 = (((_e1534 * _e362) + (_e1539 * _e430)) + (_e1542 * _e498));
-                                                                        let _e1569 = (_e1515 - _e1519);
-                                                                        let _e1570 = (_e1513 - _e1517);
-                                                                        let _e1578 = (-(((_e1519 * _e1569) + (_e1517 * _e1570))) / ((_e1569 * _e1569) + (_e1570 * _e1570)));
-                                                                        let _e1580 = select(1f, _e1578, (_e1578 < 1f));
-                                                                        let _e1582 = select(0f, _e1580, (_e1580 > 0f));
-                                                                        let _e1595 = ((_e1521.x + (_e1527.x * _e1582)) - _e322);
-                                                                        let _e1596 = ((_e1521.y + (_e1527.y * _e1582)) - _e391);
-                                                                        let _e1597 = ((_e1521.z + (_e1527.z * _e1582)) - _e459);
-                                                                        let _e1598 = (_e1597 / _e498);
-                                                                        let _e1610 = bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u));
-                                                                        let _e1613 = bitcast<f32>((bitcast<u32>(_e1596) & 2147483647u));
-                                                                        let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
-                                                                        let _e1618 = bitcast<f32>((bitcast<u32>(_e1597) & 2147483647u));
-                                                                        let _e1620 = select(_e1618, _e1615, (_e1615 > _e1618));
-                                                                        let _e1626 = bitcast<f32>((bitcast<u32>(_e1534) & 2147483647u));
-                                                                        let _e1629 = bitcast<f32>((bitcast<u32>(_e1539) & 2147483647u));
-                                                                        let _e1631 = select(_e1629, _e1626, (_e1626 > _e1629));
-                                                                        let _e1634 = bitcast<f32>((bitcast<u32>(_e1542) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1534 * _e1595) + (_e1539 * _e1596)) + (_e1542 * _e1597)) - _e1563)) & 2147483647u)) <= ((0.0000009536743f * select(_e1500, _e1620, (_e1620 > _e1500))) * select(_e1634, _e1631, (_e1631 > _e1634)))) {
-                                                                            let _e1644 = bitcast<f32>((bitcast<u32>(_e1525.x) & 2147483647u));
-                                                                            let _e1647 = bitcast<f32>((bitcast<u32>(_e1525.y) & 2147483647u));
-                                                                            let _e1649 = select(_e1647, _e1644, (_e1644 > _e1647));
-                                                                            let _e1652 = bitcast<f32>((bitcast<u32>(_e1525.z) & 2147483647u));
-                                                                            let _e1658 = bitcast<f32>((bitcast<u32>(_e1523.x) & 2147483647u));
-                                                                            let _e1661 = bitcast<f32>((bitcast<u32>(_e1523.y) & 2147483647u));
-                                                                            let _e1663 = select(_e1661, _e1658, (_e1658 > _e1661));
-                                                                            let _e1666 = bitcast<f32>((bitcast<u32>(_e1523.z) & 2147483647u));
-                                                                            let _e1670 = (bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u)) > ((0.0000038146973f * select(_e1652, _e1649, (_e1649 > _e1652))) * select(_e1666, _e1663, (_e1663 > _e1666))));
-                                                                            if _e1670 {
-                                                                                phi_2167_ = (_e1563 / _e1568);
+                                                                        let _e1088 = phi_2002_;
+                                                                        let _e1099 = (((_e1070 * (_e1088.x - _e322)) + (_e1075 * (_e1088.y - _e391))) + (_e1078 * (_e1088.z - _e459)));
+                                                                        let _e1104 = (((_e1070 * _e362) + (_e1075 * _e430)) + (_e1078 * _e498));
+                                                                        let _e1105 = (_e1051 - _e1055);
+                                                                        let _e1106 = (_e1049 - _e1053);
+                                                                        let _e1114 = (-(((_e1055 * _e1105) + (_e1053 * _e1106))) / ((_e1105 * _e1105) + (_e1106 * _e1106)));
+                                                                        let _e1116 = select(1f, _e1114, (_e1114 < 1f));
+                                                                        let _e1118 = select(0f, _e1116, (_e1116 > 0f));
+                                                                        let _e1131 = ((_e1057.x + (_e1063.x * _e1118)) - _e322);
+                                                                        let _e1132 = ((_e1057.y + (_e1063.y * _e1118)) - _e391);
+                                                                        let _e1133 = ((_e1057.z + (_e1063.z * _e1118)) - _e459);
+                                                                        let _e1134 = (_e1133 / _e498);
+                                                                        let _e1146 = bitcast<f32>((bitcast<u32>(_e1131) & 2147483647u));
+                                                                        let _e1149 = bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u));
+                                                                        let _e1151 = select(_e1149, _e1146, (_e1146 > _e1149));
+                                                                        let _e1154 = bitcast<f32>((bitcast<u32>(_e1133) & 2147483647u));
+                                                                        let _e1156 = select(_e1154, _e1151, (_e1151 > _e1154));
+                                                                        let _e1162 = bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u));
+                                                                        let _e1165 = bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u));
+                                                                        let _e1167 = select(_e1165, _e1162, (_e1162 > _e1165));
+                                                                        let _e1170 = bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1070 * _e1131) + (_e1075 * _e1132)) + (_e1078 * _e1133)) - _e1099)) & 2147483647u)) <= ((0.0000009536743f * select(_e1036, _e1156, (_e1156 > _e1036))) * select(_e1170, _e1167, (_e1167 > _e1170)))) {
+                                                                            let _e1180 = bitcast<f32>((bitcast<u32>(_e1061.x) & 2147483647u));
+                                                                            let _e1183 = bitcast<f32>((bitcast<u32>(_e1061.y) & 2147483647u));
+                                                                            let _e1185 = select(_e1183, _e1180, (_e1180 > _e1183));
+                                                                            let _e1188 = bitcast<f32>((bitcast<u32>(_e1061.z) & 2147483647u));
+                                                                            let _e1194 = bitcast<f32>((bitcast<u32>(_e1059.x) & 2147483647u));
+                                                                            let _e1197 = bitcast<f32>((bitcast<u32>(_e1059.y) & 2147483647u));
+                                                                            let _e1199 = select(_e1197, _e1194, (_e1194 > _e1197));
+                                                                            let _e1202 = bitcast<f32>((bitcast<u32>(_e1059.z) & 2147483647u));
+                                                                            let _e1206 = (bitcast<f32>((bitcast<u32>(_e1104) & 2147483647u)) > ((0.0000038146973f * select(_e1188, _e1185, (_e1185 > _e1188))) * select(_e1202, _e1199, (_e1199 > _e1202))));
+                                                                            if _e1206 {
+                                                                                phi_2167_ = (_e1099 / _e1104);
                                                                             } else {
                                                                                 phi_2167_ = f32();
                                                                             }
-                                                                            let _e1673 = phi_2167_;
-                                                                            phi_2169_ = _e1673;
-                                                                            phi_2170_ = select(true, false, _e1670);
+                                                                            let _e1209 = phi_2167_;
+                                                                            phi_2169_ = _e1209;
+                                                                            phi_2170_ = select(true, false, _e1206);
                                                                         } else {
                                                                             phi_2169_ = f32();
                                                                             phi_2170_ = true;
                                                                         }
-                                                                        let _e1676 = phi_2169_;
-                                                                        let _e1678 = phi_2170_;
-                                                                        if _e1678 {
-                                                                            let _e1686 = (((_e1534 * (_e1595 - (_e362 * _e1598))) + (_e1539 * (_e1596 - (_e430 * _e1598)))) / _e1568);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1686) & 2147483647u)) <= _e1500) {
-                                                                                phi_2190_ = (_e1598 + _e1686);
+                                                                        let _e1212 = phi_2169_;
+                                                                        let _e1214 = phi_2170_;
+                                                                        if _e1214 {
+                                                                            let _e1222 = (((_e1070 * (_e1131 - (_e362 * _e1134))) + (_e1075 * (_e1132 - (_e430 * _e1134)))) / _e1104);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u)) <= _e1036) {
+                                                                                phi_2190_ = (_e1134 + _e1222);
                                                                             } else {
-                                                                                phi_2190_ = _e1598;
+                                                                                phi_2190_ = _e1134;
                                                                             }
-                                                                            let _e1693 = phi_2190_;
-                                                                            phi_2191_ = _e1693;
+                                                                            let _e1229 = phi_2190_;
+                                                                            phi_2191_ = _e1229;
                                                                         } else {
-                                                                            phi_2191_ = _e1676;
+                                                                            phi_2191_ = _e1212;
                                                                         }
-                                                                        let _e1695 = phi_2191_;
-                                                                        let _e1697 = select(_e1433, _e1695, (_e1695 < _e1433));
-                                                                        let _e1699 = select(_e1425, _e1697, (_e1697 > _e1425));
-                                                                        if (_e1699 >= _e613) {
-                                                                            let _e1701 = (_e1699 <= _e1177.member.member_1);
-                                                                            if _e1701 {
-                                                                                let _e1702 = (1f / _e1352);
-                                                                                phi_2214_ = type_25(_e1699, (_e1346 * _e1702), (_e1350 * _e1702), _e1212);
+                                                                        let _e1231 = phi_2191_;
+                                                                        let _e1233 = select(_e969, _e1231, (_e1231 < _e969));
+                                                                        let _e1235 = select(_e961, _e1233, (_e1233 > _e961));
+                                                                        if (_e1235 >= _e613) {
+                                                                            let _e1237 = (_e1235 <= _e713.member.member_1);
+                                                                            if _e1237 {
+                                                                                let _e1238 = (1f / _e888);
+                                                                                phi_2214_ = type_25(_e1235, (_e882 * _e1238), (_e886 * _e1238), _e748);
                                                                             } else {
                                                                                 phi_2214_ = type_25();
                                                                             }
-                                                                            let _e1707 = phi_2214_;
-                                                                            phi_2216_ = _e1707;
-                                                                            phi_2217_ = select(true, false, _e1701);
+                                                                            let _e1243 = phi_2214_;
+                                                                            phi_2216_ = _e1243;
+                                                                            phi_2217_ = select(true, false, _e1237);
                                                                         } else {
                                                                             phi_2216_ = type_25();
                                                                             phi_2217_ = true;
                                                                         }
-                                                                        let _e1710 = phi_2216_;
-                                                                        let _e1712 = phi_2217_;
-                                                                        if _e1712 {
+                                                                        let _e1246 = phi_2216_;
+                                                                        let _e1248 = phi_2217_;
+                                                                        if _e1248 {
                                                                             phi_2221_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2221_ = _e1710;
+                                                                            phi_2221_ = _e1246;
                                                                         }
-                                                                        let _e1714 = phi_2221_;
-                                                                        phi_2222_ = _e1714;
+                                                                        let _e1250 = phi_2221_;
+                                                                        phi_2222_ = _e1250;
                                                                     }
-                                                                    let _e1716 = phi_2222_;
-                                                                    phi_2223_ = _e1716;
-                                                                    phi_2224_ = _e1442;
+                                                                    let _e1252 = phi_2222_;
+                                                                    phi_2223_ = _e1252;
+                                                                    phi_2224_ = _e978;
                                                                 }
-                                                                let _e1718 = phi_2223_;
-                                                                let _e1720 = phi_2224_;
-                                                                phi_2228_ = _e1718;
-                                                                phi_2229_ = _e1720;
+                                                                let _e1254 = phi_2223_;
+                                                                let _e1256 = phi_2224_;
+                                                                phi_2228_ = _e1254;
+                                                                phi_2229_ = _e1256;
                                                             }
-                                                            let _e1722 = phi_2228_;
-                                                            let _e1724 = phi_2229_;
-                                                            phi_2230_ = _e1722;
-                                                            phi_2231_ = _e1377;
-                                                            phi_2232_ = _e1724;
+                                                            let _e1258 = phi_2228_;
+                                                            let _e1260 = phi_2229_;
+                                                            phi_2230_ = _e1258;
+                                                            phi_2231_ = _e913;
+                                                            phi_2232_ = _e1260;
                                                         }
-                                                        let _e1726 = phi_2230_;
-                                                        let _e1728 = phi_2231_;
-                                                        let _e1730 = phi_2232_;
-                                                        phi_2233_ = _e1726;
-                                                        phi_2234_ = _e1728;
-                                                        phi_2235_ = _e1730;
+                                                        let _e1262 = phi_2230_;
+                                                        let _e1264 = phi_2231_;
+                                                        let _e1266 = phi_2232_;
+                                                        phi_2233_ = _e1262;
+                                                        phi_2234_ = _e1264;
+                                                        phi_2235_ = _e1266;
                                                     }
-                                                    let _e1732 = phi_2233_;
-                                                    let _e1734 = phi_2234_;
-                                                    let _e1736 = phi_2235_;
-                                                    phi_2243_ = _e1732;
-                                                    phi_2244_ = select(_e1736, true, _e1734);
+                                                    let _e1268 = phi_2233_;
+                                                    let _e1270 = phi_2234_;
+                                                    let _e1272 = phi_2235_;
+                                                    phi_2243_ = _e1268;
+                                                    phi_2244_ = select(_e1272, true, _e1270);
                                                 } else {
                                                     phi_2243_ = type_25();
                                                     phi_2244_ = true;
                                                 }
-                                                let _e1739 = phi_2243_;
-                                                let _e1741 = phi_2244_;
-                                                if _e1741 {
+                                                let _e1275 = phi_2243_;
+                                                let _e1277 = phi_2244_;
+                                                if _e1277 {
                                                     phi_2248_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2248_ = _e1739;
+                                                    phi_2248_ = _e1275;
                                                 }
-                                                let _e1743 = phi_2248_;
-                                                if (_e1743.member_3 != 4294967295u) {
-                                                    if (_e1212 != 4294967295u) {
-                                                        if (_e1743.member < _e1177.member.member.member) {
+                                                let _e1279 = phi_2248_;
+                                                if (_e1279.member_3 != 4294967295u) {
+                                                    if (_e748 != 4294967295u) {
+                                                        if (_e1279.member < _e713.member.member.member) {
                                                             phi_2274_ = true;
                                                         } else {
-                                                            if (_e1743.member == _e1177.member.member.member) {
-                                                                phi_2273_ = (_e1743.member_3 < _e1177.member.member.member_3);
+                                                            if (_e1279.member == _e713.member.member.member) {
+                                                                phi_2273_ = (_e1279.member_3 < _e713.member.member.member_3);
                                                             } else {
                                                                 phi_2273_ = false;
                                                             }
-                                                            let _e1758 = phi_2273_;
-                                                            phi_2274_ = _e1758;
+                                                            let _e1294 = phi_2273_;
+                                                            phi_2274_ = _e1294;
                                                         }
-                                                        let _e1760 = phi_2274_;
-                                                        if _e1760 {
-                                                            phi_2281_ = type_40(type_34(_e1743, _e1743.member), _e1204.member_1, _e1204.member_2);
+                                                        let _e1296 = phi_2274_;
+                                                        if _e1296 {
+                                                            phi_2281_ = type_40(type_34(_e1279, _e1279.member), _e740.member_1, _e740.member_2);
                                                         } else {
-                                                            phi_2281_ = _e1204;
+                                                            phi_2281_ = _e740;
                                                         }
-                                                        let _e1767 = phi_2281_;
-                                                        phi_2282_ = _e1767;
+                                                        let _e1303 = phi_2281_;
+                                                        phi_2282_ = _e1303;
                                                     } else {
-                                                        phi_2282_ = _e1204;
+                                                        phi_2282_ = _e740;
                                                     }
-                                                    let _e1769 = phi_2282_;
-                                                    phi_2283_ = _e1769;
+                                                    let _e1305 = phi_2282_;
+                                                    phi_2283_ = _e1305;
                                                 } else {
-                                                    phi_2283_ = _e1204;
+                                                    phi_2283_ = _e740;
                                                 }
-                                                let _e1771 = phi_2283_;
-                                                phi_1208_ = _e1771;
+                                                let _e1307 = phi_2283_;
+                                                phi_1208_ = _e1307;
                                             } else {
                                                 phi_1208_ = type_40();
                                             }
-                                            let _e1773 = phi_1208_;
+                                            let _e1309 = phi_1208_;
                                             continue;
                                             continuing {
-                                                phi_1207_ = _e1773;
-                                                phi_1210_ = _e1192;
-                                                phi_3751_ = _e656;
-                                                break if !(_e1198);
+                                                phi_1207_ = _e1309;
+                                                phi_1210_ = _e728;
+                                                phi_3757_ = _e656;
+                                                break if !(_e734);
                                             }
                                         }
-                                        let _e1776 = phi_3751_;
-                                        phi_3911_ = _e1776;
-                                        if _e1776 {
+                                        let _e1312 = phi_3757_;
+                                        phi_3917_ = _e1312;
+                                        if _e1312 {
                                             break;
                                         }
-                                        phi_3915_ = _e1776;
-                                        let _e1954 = local_12;
-                                        phi_3523_ = _e1954;
-                                        phi_3524_ = false;
-                                        phi_3525_ = _e700;
-                                        phi_3526_ = _e702;
+                                        phi_4003_ = _e1312;
+                                        let _e1943 = local_12;
+                                        phi_2284_ = _e1943;
+                                    } else {
+                                        phi_4003_ = _e656;
+                                        phi_2284_ = _e658;
+                                    }
+                                    let _e1314 = phi_4003_;
+                                    let _e1316 = phi_2284_;
+                                    if _e706 {
+                                        phi_3518_ = type_40();
+                                        phi_3519_ = bool();
+                                        phi_3520_ = u32();
+                                        phi_3521_ = type_51();
                                     } else {
                                         if (_e702.member_1 >= _e88) {
-                                            phi_3054_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3050_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e702.member_1 < _e88) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e713 = (_e258 * 2u);
-                                            let _e715 = ((1u + _e713) % 7u);
-                                            if (_e715 < 7u) {
+                                            let _e1319 = (_e258 * 2u);
+                                            let _e1321 = ((1u + _e1319) % 7u);
+                                            if (_e1321 < 7u) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e720 = global_5.member[_e702.member_1][_e715];
-                                            let _e722 = ((_e713 + 2u) % 7u);
-                                            if (_e722 < 7u) {
+                                            let _e1326 = global_5.member[_e702.member_1][_e1321];
+                                            let _e1328 = ((_e1319 + 2u) % 7u);
+                                            if (_e1328 < 7u) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e727 = global_5.member[_e702.member_1][_e722];
-                                            let _e728 = (_e257 * 2u);
-                                            let _e730 = ((1u + _e728) % 7u);
-                                            if (_e730 < 7u) {
+                                            let _e1333 = global_5.member[_e702.member_1][_e1328];
+                                            let _e1334 = (_e257 * 2u);
+                                            let _e1336 = ((1u + _e1334) % 7u);
+                                            if (_e1336 < 7u) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e735 = global_5.member[_e702.member_1][_e730];
-                                            let _e737 = ((_e728 + 2u) % 7u);
-                                            if (_e737 < 7u) {
+                                            let _e1341 = global_5.member[_e702.member_1][_e1336];
+                                            let _e1343 = ((_e1334 + 2u) % 7u);
+                                            if (_e1343 < 7u) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e742 = global_5.member[_e702.member_1][_e737];
-                                            let _e743 = (_e259 * 2u);
-                                            let _e745 = ((1u + _e743) % 7u);
-                                            if (_e745 < 7u) {
+                                            let _e1348 = global_5.member[_e702.member_1][_e1343];
+                                            let _e1349 = (_e259 * 2u);
+                                            let _e1351 = ((1u + _e1349) % 7u);
+                                            if (_e1351 < 7u) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e750 = global_5.member[_e702.member_1][_e745];
-                                            let _e752 = ((_e743 + 2u) % 7u);
-                                            if (_e752 < 7u) {
+                                            let _e1356 = global_5.member[_e702.member_1][_e1351];
+                                            let _e1358 = ((_e1349 + 2u) % 7u);
+                                            if (_e1358 < 7u) {
                                             } else {
-                                                phi_3911_ = true;
+                                                phi_3917_ = true;
                                                 break;
                                             }
-                                            let _e757 = global_5.member[_e702.member_1][_e752];
-                                            let _e780 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e781 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e782 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e784 = select(_e138, _e780, (_e780 > _e138));
-                                            let _e786 = select(_e138, _e781, (_e781 > _e138));
-                                            let _e788 = select(_e138, _e782, (_e782 > _e138));
-                                            let _e819 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e720 & 2097151u))) - 8388608f) * _e784));
-                                            let _e824 = (bitcast<i32>((_e720 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e827 = bitcast<f32>((_e819 & bitcast<u32>(_e824)));
-                                            let _e828 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e735 & 2097151u))) - 8388608f) * _e786));
-                                            let _e833 = (bitcast<i32>((_e735 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e836 = bitcast<f32>((_e828 & bitcast<u32>(_e833)));
-                                            let _e837 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e750 & 2097151u))) - 8388608f) * _e788));
-                                            let _e842 = (bitcast<i32>((_e750 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e845 = bitcast<f32>((_e837 & bitcast<u32>(_e842)));
-                                            let _e849 = bitcast<f32>((_e819 & bitcast<u32>(~(_e824))));
-                                            let _e853 = bitcast<f32>((_e828 & bitcast<u32>(~(_e833))));
-                                            let _e857 = bitcast<f32>((_e837 & bitcast<u32>(~(_e842))));
-                                            let _e858 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e727 & 2097151u))) - 8388608f) * _e784));
-                                            let _e863 = (bitcast<i32>((_e727 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e866 = bitcast<f32>((_e858 & bitcast<u32>(_e863)));
-                                            let _e867 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e742 & 2097151u))) - 8388608f) * _e786));
-                                            let _e872 = (bitcast<i32>((_e742 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e875 = bitcast<f32>((_e867 & bitcast<u32>(_e872)));
-                                            let _e876 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e757 & 2097151u))) - 8388608f) * _e788));
-                                            let _e881 = (bitcast<i32>((_e757 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e884 = bitcast<f32>((_e876 & bitcast<u32>(_e881)));
-                                            let _e888 = bitcast<f32>((_e858 & bitcast<u32>(~(_e863))));
-                                            let _e892 = bitcast<f32>((_e867 & bitcast<u32>(~(_e872))));
-                                            let _e896 = bitcast<f32>((_e876 & bitcast<u32>(~(_e881))));
-                                            let _e926 = global_5.member[_e702.member_1][0u];
-                                            let _e930 = global_5.member[_e702.member_1][2u];
-                                            let _e934 = global_5.member[_e702.member_1][4u];
-                                            let _e938 = global_5.member[_e702.member_1][6u];
-                                            let _e950 = (((_e930 >> bitcast<u32>(22i)) | ((_e934 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e938 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e951 = (_e926 & 268435455u);
-                                            let _e952 = (_e950 & 268435455u);
-                                            let _e955 = ((_e926 >> bitcast<u32>(28u)) & 7u);
-                                            let _e963 = ((_e926 >> bitcast<u32>(31i)) | (((_e950 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e964 = (_e955 != 0u);
-                                            if (_e955 == 0u) {
-                                                phi_3016_ = _e951;
+                                            let _e1363 = global_5.member[_e702.member_1][_e1358];
+                                            let _e1386 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1387 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1388 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1390 = select(_e138, _e1386, (_e1386 > _e138));
+                                            let _e1392 = select(_e138, _e1387, (_e1387 > _e138));
+                                            let _e1394 = select(_e138, _e1388, (_e1388 > _e138));
+                                            let _e1425 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1326 & 2097151u))) - 8388608f) * _e1390));
+                                            let _e1430 = (bitcast<i32>((_e1326 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1433 = bitcast<f32>((_e1425 & bitcast<u32>(_e1430)));
+                                            let _e1434 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1341 & 2097151u))) - 8388608f) * _e1392));
+                                            let _e1439 = (bitcast<i32>((_e1341 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1442 = bitcast<f32>((_e1434 & bitcast<u32>(_e1439)));
+                                            let _e1443 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1356 & 2097151u))) - 8388608f) * _e1394));
+                                            let _e1448 = (bitcast<i32>((_e1356 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1451 = bitcast<f32>((_e1443 & bitcast<u32>(_e1448)));
+                                            let _e1455 = bitcast<f32>((_e1425 & bitcast<u32>(~(_e1430))));
+                                            let _e1459 = bitcast<f32>((_e1434 & bitcast<u32>(~(_e1439))));
+                                            let _e1463 = bitcast<f32>((_e1443 & bitcast<u32>(~(_e1448))));
+                                            let _e1464 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1333 & 2097151u))) - 8388608f) * _e1390));
+                                            let _e1469 = (bitcast<i32>((_e1333 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1472 = bitcast<f32>((_e1464 & bitcast<u32>(_e1469)));
+                                            let _e1473 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1348 & 2097151u))) - 8388608f) * _e1392));
+                                            let _e1478 = (bitcast<i32>((_e1348 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1481 = bitcast<f32>((_e1473 & bitcast<u32>(_e1478)));
+                                            let _e1482 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1363 & 2097151u))) - 8388608f) * _e1394));
+                                            let _e1487 = (bitcast<i32>((_e1363 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1490 = bitcast<f32>((_e1482 & bitcast<u32>(_e1487)));
+                                            let _e1494 = bitcast<f32>((_e1464 & bitcast<u32>(~(_e1469))));
+                                            let _e1498 = bitcast<f32>((_e1473 & bitcast<u32>(~(_e1478))));
+                                            let _e1502 = bitcast<f32>((_e1482 & bitcast<u32>(~(_e1487))));
+                                            let _e1532 = global_5.member[_e702.member_1][0u];
+                                            let _e1536 = global_5.member[_e702.member_1][2u];
+                                            let _e1540 = global_5.member[_e702.member_1][4u];
+                                            let _e1544 = global_5.member[_e702.member_1][6u];
+                                            let _e1556 = (((_e1536 >> bitcast<u32>(22i)) | ((_e1540 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1544 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1557 = (_e1532 & 268435455u);
+                                            let _e1558 = (_e1556 & 268435455u);
+                                            let _e1561 = ((_e1532 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1569 = ((_e1532 >> bitcast<u32>(31i)) | (((_e1556 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1570 = (_e1561 != 0u);
+                                            if (_e1561 == 0u) {
+                                                phi_3012_ = _e1557;
                                             } else {
-                                                if (_e955 == 7u) {
-                                                    phi_3015_ = 2147483648u;
+                                                if (_e1561 == 7u) {
+                                                    phi_3011_ = 2147483648u;
                                                 } else {
-                                                    phi_3015_ = ((2147483648u | (_e955 << bitcast<u32>(28u))) | (_e952 & 268435455u));
+                                                    phi_3011_ = ((2147483648u | (_e1561 << bitcast<u32>(28u))) | (_e1558 & 268435455u));
                                                 }
-                                                let _e973 = phi_3015_;
-                                                phi_3016_ = _e973;
+                                                let _e1579 = phi_3011_;
+                                                phi_3012_ = _e1579;
                                             }
-                                            let _e975 = phi_3016_;
-                                            if _e964 {
-                                                let _e976 = (_e955 != 7u);
-                                                if _e976 {
-                                                    phi_3026_ = (_e952 + _e955);
+                                            let _e1581 = phi_3012_;
+                                            if _e1570 {
+                                                let _e1582 = (_e1561 != 7u);
+                                                if _e1582 {
+                                                    phi_3022_ = (_e1558 + _e1561);
                                                 } else {
-                                                    phi_3026_ = u32();
+                                                    phi_3022_ = u32();
                                                 }
-                                                let _e979 = phi_3026_;
-                                                phi_3028_ = _e979;
-                                                phi_3029_ = select(true, false, _e976);
+                                                let _e1585 = phi_3022_;
+                                                phi_3024_ = _e1585;
+                                                phi_3025_ = select(true, false, _e1582);
                                             } else {
-                                                phi_3028_ = u32();
-                                                phi_3029_ = true;
+                                                phi_3024_ = u32();
+                                                phi_3025_ = true;
                                             }
-                                            let _e982 = phi_3028_;
-                                            let _e984 = phi_3029_;
-                                            if (_e963 == 0u) {
-                                                phi_3050_ = (_e951 + select(0u, 1u, !(_e964)));
+                                            let _e1588 = phi_3024_;
+                                            let _e1590 = phi_3025_;
+                                            if (_e1569 == 0u) {
+                                                phi_3046_ = (_e1557 + select(0u, 1u, !(_e1570)));
                                             } else {
-                                                if (_e963 == 7u) {
-                                                    phi_3049_ = 2147483648u;
+                                                if (_e1569 == 7u) {
+                                                    phi_3045_ = 2147483648u;
                                                 } else {
-                                                    phi_3049_ = ((2147483648u | (_e963 << bitcast<u32>(28u))) | (select(_e982, _e952, _e984) & 268435455u));
+                                                    phi_3045_ = ((2147483648u | (_e1569 << bitcast<u32>(28u))) | (select(_e1588, _e1558, _e1590) & 268435455u));
                                                 }
-                                                let _e997 = phi_3049_;
-                                                phi_3050_ = _e997;
+                                                let _e1603 = phi_3045_;
+                                                phi_3046_ = _e1603;
                                             }
-                                            let _e999 = phi_3050_;
-                                            phi_3054_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e702.member.member.x + _e827), (_e702.member.member.x + _e849), (_e702.member.member_1.x - _e866), (_e702.member.member_1.x - _e888)), vec4<f32>((_e702.member.member.y + _e836), (_e702.member.member.y + _e853), (_e702.member.member_1.y - _e875), (_e702.member.member_1.y - _e892)), vec4<f32>((_e702.member.member.z + _e845), (_e702.member.member.z + _e857), (_e702.member.member_1.z - _e884), (_e702.member.member_1.z - _e896))), type_51(type_29((_e702.member.member + vec4<f32>(_e827, _e836, _e845, 0f)), (_e702.member.member_1 - vec4<f32>(_e866, _e875, _e884, 0f))), _e975), type_51(type_29((_e702.member.member + vec4<f32>(_e849, _e853, _e857, 0f)), (_e702.member.member_1 - vec4<f32>(_e888, _e892, _e896, 0f))), _e999));
+                                            let _e1605 = phi_3046_;
+                                            phi_3050_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e702.member.member.x + _e1433), (_e702.member.member.x + _e1455), (_e702.member.member_1.x - _e1472), (_e702.member.member_1.x - _e1494)), vec4<f32>((_e702.member.member.y + _e1442), (_e702.member.member.y + _e1459), (_e702.member.member_1.y - _e1481), (_e702.member.member_1.y - _e1498)), vec4<f32>((_e702.member.member.z + _e1451), (_e702.member.member.z + _e1463), (_e702.member.member_1.z - _e1490), (_e702.member.member_1.z - _e1502))), type_51(type_29((_e702.member.member + vec4<f32>(_e1433, _e1442, _e1451, 0f)), (_e702.member.member_1 - vec4<f32>(_e1472, _e1481, _e1490, 0f))), _e1581), type_51(type_29((_e702.member.member + vec4<f32>(_e1455, _e1459, _e1463, 0f)), (_e702.member.member_1 - vec4<f32>(_e1494, _e1498, _e1502, 0f))), _e1605));
                                         }
-                                        let _e1004 = phi_3054_;
-                                        let _e1023 = ((_e1004.member[0].x - _e360) * _e365);
-                                        let _e1024 = ((_e1004.member[0].y - _e360) * _e365);
-                                        let _e1025 = ((_e1004.member[0].z - _e361) * _e365);
-                                        let _e1026 = ((_e1004.member[0].w - _e361) * _e365);
-                                        let _e1036 = ((_e1004.member[1].x - _e428) * _e433);
-                                        let _e1037 = ((_e1004.member[1].y - _e428) * _e433);
-                                        let _e1038 = ((_e1004.member[1].z - _e429) * _e433);
-                                        let _e1039 = ((_e1004.member[1].w - _e429) * _e433);
-                                        let _e1049 = ((_e1004.member[2].x - _e496) * _e501);
-                                        let _e1050 = ((_e1004.member[2].y - _e496) * _e501);
-                                        let _e1051 = ((_e1004.member[2].z - _e497) * _e501);
-                                        let _e1052 = ((_e1004.member[2].w - _e497) * _e501);
-                                        let _e1054 = select(_e1051, _e1049, (_e1049 < _e1051));
-                                        let _e1056 = select(_e1052, _e1050, (_e1050 < _e1052));
-                                        let _e1058 = select(_e1051, _e1049, (_e1049 > _e1051));
-                                        let _e1060 = select(_e1052, _e1050, (_e1050 > _e1052));
-                                        let _e1062 = select(_e1025, _e1023, (_e1023 < _e1025));
-                                        let _e1064 = select(_e1026, _e1024, (_e1024 < _e1026));
-                                        let _e1066 = select(_e1038, _e1036, (_e1036 < _e1038));
-                                        let _e1068 = select(_e1039, _e1037, (_e1037 < _e1039));
-                                        let _e1070 = select(_e1066, _e1062, (_e1062 > _e1066));
-                                        let _e1072 = select(_e1068, _e1064, (_e1064 > _e1068));
-                                        let _e1074 = select(_e1054, _e1070, (_e1070 > _e1054));
-                                        let _e1076 = select(_e1056, _e1072, (_e1072 > _e1056));
-                                        let _e1078 = select(_e1025, _e1023, (_e1023 > _e1025));
-                                        let _e1080 = select(_e1026, _e1024, (_e1024 > _e1026));
-                                        let _e1082 = select(_e1038, _e1036, (_e1036 > _e1038));
-                                        let _e1084 = select(_e1039, _e1037, (_e1037 > _e1039));
-                                        let _e1086 = select(_e1082, _e1078, (_e1078 < _e1082));
-                                        let _e1088 = select(_e1084, _e1080, (_e1080 < _e1084));
-                                        let _e1093 = -(_e1054);
-                                        let _e1094 = -(_e1056);
-                                        let _e1101 = (select(_e1058, _e1086, (_e1086 < _e1058)) + (select(_e1093, _e1058, (_e1058 > _e1093)) * 0.0000019073523f));
-                                        let _e1102 = (select(_e1060, _e1088, (_e1088 < _e1060)) + (select(_e1094, _e1060, (_e1060 > _e1094)) * 0.0000019073523f));
-                                        let _e1104 = select(_e613, _e1074, (_e1074 > _e613));
-                                        let _e1106 = select(_e613, _e1076, (_e1076 > _e613));
-                                        let _e1111 = (_e1104 <= select(_e658.member.member_1, _e1101, (_e1101 < _e658.member.member_1)));
-                                        let _e1112 = (_e1106 <= select(_e658.member.member_1, _e1102, (_e1102 < _e658.member.member_1)));
-                                        let _e1113 = (_e1104 <= _e1106);
-                                        if _e1111 {
-                                            if _e1112 {
-                                                if _e1113 {
-                                                    phi_3419_ = _e1004.member_2;
+                                        let _e1610 = phi_3050_;
+                                        let _e1629 = ((_e1610.member[0].x - _e360) * _e365);
+                                        let _e1630 = ((_e1610.member[0].y - _e360) * _e365);
+                                        let _e1631 = ((_e1610.member[0].z - _e361) * _e365);
+                                        let _e1632 = ((_e1610.member[0].w - _e361) * _e365);
+                                        let _e1642 = ((_e1610.member[1].x - _e428) * _e433);
+                                        let _e1643 = ((_e1610.member[1].y - _e428) * _e433);
+                                        let _e1644 = ((_e1610.member[1].z - _e429) * _e433);
+                                        let _e1645 = ((_e1610.member[1].w - _e429) * _e433);
+                                        let _e1655 = ((_e1610.member[2].x - _e496) * _e501);
+                                        let _e1656 = ((_e1610.member[2].y - _e496) * _e501);
+                                        let _e1657 = ((_e1610.member[2].z - _e497) * _e501);
+                                        let _e1658 = ((_e1610.member[2].w - _e497) * _e501);
+                                        let _e1660 = select(_e1657, _e1655, (_e1655 < _e1657));
+                                        let _e1662 = select(_e1658, _e1656, (_e1656 < _e1658));
+                                        let _e1664 = select(_e1657, _e1655, (_e1655 > _e1657));
+                                        let _e1666 = select(_e1658, _e1656, (_e1656 > _e1658));
+                                        let _e1668 = select(_e1631, _e1629, (_e1629 < _e1631));
+                                        let _e1670 = select(_e1632, _e1630, (_e1630 < _e1632));
+                                        let _e1672 = select(_e1644, _e1642, (_e1642 < _e1644));
+                                        let _e1674 = select(_e1645, _e1643, (_e1643 < _e1645));
+                                        let _e1676 = select(_e1672, _e1668, (_e1668 > _e1672));
+                                        let _e1678 = select(_e1674, _e1670, (_e1670 > _e1674));
+                                        let _e1680 = select(_e1660, _e1676, (_e1676 > _e1660));
+                                        let _e1682 = select(_e1662, _e1678, (_e1678 > _e1662));
+                                        let _e1684 = select(_e1631, _e1629, (_e1629 > _e1631));
+                                        let _e1686 = select(_e1632, _e1630, (_e1630 > _e1632));
+                                        let _e1688 = select(_e1644, _e1642, (_e1642 > _e1644));
+                                        let _e1690 = select(_e1645, _e1643, (_e1643 > _e1645));
+                                        let _e1692 = select(_e1688, _e1684, (_e1684 < _e1688));
+                                        let _e1694 = select(_e1690, _e1686, (_e1686 < _e1690));
+                                        let _e1699 = -(_e1660);
+                                        let _e1700 = -(_e1662);
+                                        let _e1707 = (select(_e1664, _e1692, (_e1692 < _e1664)) + (select(_e1699, _e1664, (_e1664 > _e1699)) * 0.0000019073523f));
+                                        let _e1708 = (select(_e1666, _e1694, (_e1694 < _e1666)) + (select(_e1700, _e1666, (_e1666 > _e1700)) * 0.0000019073523f));
+                                        let _e1710 = select(_e613, _e1680, (_e1680 > _e613));
+                                        let _e1712 = select(_e613, _e1682, (_e1682 > _e613));
+                                        let _e1717 = (_e1710 <= select(_e1316.member.member_1, _e1707, (_e1707 < _e1316.member.member_1)));
+                                        let _e1718 = (_e1712 <= select(_e1316.member.member_1, _e1708, (_e1708 < _e1316.member.member_1)));
+                                        let _e1719 = (_e1710 <= _e1712);
+                                        if _e1717 {
+                                            if _e1718 {
+                                                if _e1719 {
+                                                    phi_3415_ = _e1610.member_2;
                                                 } else {
-                                                    phi_3419_ = _e1004.member_1;
+                                                    phi_3415_ = _e1610.member_1;
                                                 }
-                                                let _e1117 = phi_3419_;
-                                                let _e1139 = (_e700 % 128u);
-                                                let _e1140 = (_e1139 < 128u);
-                                                if _e1140 {
+                                                let _e1723 = phi_3415_;
+                                                let _e1744 = (_e700 % 128u);
+                                                let _e1745 = (_e1744 < 128u);
+                                                if _e1745 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1139] = _e1117.member_1;
-                                                if _e1140 {
+                                                local_8[_e1744] = _e1723.member_1;
+                                                if _e1745 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1139] = _e1117.member.member.x;
-                                                if _e1140 {
+                                                local_7[_e1744] = _e1723.member.member.x;
+                                                if _e1745 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1139] = _e1117.member.member.y;
-                                                if _e1140 {
+                                                local_6[_e1744] = _e1723.member.member.y;
+                                                if _e1745 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1139] = _e1117.member.member.z;
-                                                if _e1140 {
+                                                local_5[_e1744] = _e1723.member.member.z;
+                                                if _e1745 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1139] = _e1117.member.member_1.x;
-                                                if _e1140 {
+                                                local_4[_e1744] = _e1723.member.member_1.x;
+                                                if _e1745 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1139] = _e1117.member.member_1.y;
-                                                if _e1140 {
+                                                local_3[_e1744] = _e1723.member.member_1.y;
+                                                if _e1745 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1139] = _e1117.member.member_1.z;
-                                                if _e1140 {
+                                                local_2[_e1744] = _e1723.member.member_1.z;
+                                                if _e1745 {
                                                 } else {
-                                                    phi_3911_ = true;
+                                                    phi_3917_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1139] = select(_e1106, _e1104, !(_e1113));
-                                                if _e1113 {
-                                                    phi_3496_ = _e1004.member_1;
+                                                local_9[_e1744] = select(_e1710, _e1712, _e1719);
+                                                if _e1719 {
+                                                    phi_3491_ = _e1610.member_1;
                                                 } else {
-                                                    phi_3496_ = _e1004.member_2;
+                                                    phi_3491_ = _e1610.member_2;
                                                 }
-                                                let _e1153 = phi_3496_;
-                                                phi_3497_ = (_e700 + 1u);
-                                                phi_3498_ = _e1153;
+                                                let _e1758 = phi_3491_;
+                                                phi_3492_ = (_e700 + 1u);
+                                                phi_3493_ = _e1758;
                                             } else {
-                                                phi_3497_ = u32();
-                                                phi_3498_ = type_51();
+                                                phi_3492_ = u32();
+                                                phi_3493_ = type_51();
                                             }
-                                            let _e1155 = phi_3497_;
-                                            let _e1157 = phi_3498_;
-                                            phi_3500_ = _e1155;
-                                            phi_3501_ = _e1157;
-                                            phi_3502_ = select(true, false, _e1112);
+                                            let _e1760 = phi_3492_;
+                                            let _e1762 = phi_3493_;
+                                            phi_3495_ = _e1760;
+                                            phi_3496_ = _e1762;
+                                            phi_3497_ = select(true, false, _e1718);
                                         } else {
-                                            phi_3500_ = u32();
-                                            phi_3501_ = type_51();
-                                            phi_3502_ = true;
+                                            phi_3495_ = u32();
+                                            phi_3496_ = type_51();
+                                            phi_3497_ = true;
                                         }
-                                        let _e1160 = phi_3500_;
-                                        let _e1162 = phi_3501_;
-                                        let _e1164 = phi_3502_;
-                                        if _e1164 {
-                                            if _e1111 {
-                                                phi_3511_ = _e1004.member_1;
+                                        let _e1765 = phi_3495_;
+                                        let _e1767 = phi_3496_;
+                                        let _e1769 = phi_3497_;
+                                        if _e1769 {
+                                            if _e1717 {
+                                                phi_3506_ = _e1610.member_1;
                                             } else {
-                                                phi_3511_ = _e1004.member_2;
+                                                phi_3506_ = _e1610.member_2;
                                             }
-                                            let _e1168 = phi_3511_;
-                                            phi_3516_ = select(_e1112, true, _e1111);
-                                            phi_3518_ = _e1168;
+                                            let _e1773 = phi_3506_;
+                                            phi_3511_ = select(_e1718, true, _e1717);
+                                            phi_3513_ = _e1773;
                                         } else {
-                                            phi_3516_ = _e698;
-                                            phi_3518_ = _e1162;
+                                            phi_3511_ = _e698;
+                                            phi_3513_ = _e1767;
                                         }
-                                        let _e1171 = phi_3516_;
-                                        let _e1173 = phi_3518_;
-                                        phi_3915_ = _e656;
-                                        phi_3523_ = type_40(_e658.member, (_e658.member_1 + 1u), _e658.member_2);
-                                        phi_3524_ = _e1171;
-                                        phi_3525_ = select(_e1160, _e700, _e1164);
-                                        phi_3526_ = _e1173;
+                                        let _e1776 = phi_3511_;
+                                        let _e1778 = phi_3513_;
+                                        phi_3518_ = type_40(_e1316.member, (_e1316.member_1 + 1u), _e1316.member_2);
+                                        phi_3519_ = _e1776;
+                                        phi_3520_ = select(_e1765, _e700, _e1769);
+                                        phi_3521_ = _e1778;
                                     }
-                                    let _e1778 = phi_3915_;
-                                    let _e1780 = phi_3523_;
-                                    let _e1782 = phi_3524_;
-                                    let _e1784 = phi_3525_;
-                                    let _e1786 = phi_3526_;
-                                    phi_3914_ = _e1778;
-                                    phi_3527_ = _e1780;
-                                    phi_3528_ = _e1782;
-                                    phi_3529_ = (_e662 - 1u);
-                                    phi_3530_ = _e1784;
-                                    phi_3531_ = _e1786;
+                                    let _e1781 = phi_3518_;
+                                    let _e1783 = phi_3519_;
+                                    let _e1785 = phi_3520_;
+                                    let _e1787 = phi_3521_;
+                                    if _e706 {
+                                        phi_3529_ = _e1316;
+                                        phi_3532_ = _e702;
+                                    } else {
+                                        phi_3529_ = _e1781;
+                                        phi_3532_ = _e1787;
+                                    }
+                                    let _e1789 = phi_3529_;
+                                    let _e1791 = phi_3532_;
+                                    phi_3920_ = _e1314;
+                                    phi_3533_ = _e1789;
+                                    phi_3534_ = (_e660 - 1u);
+                                    phi_3535_ = select(_e1783, false, _e706);
+                                    phi_3536_ = select(_e1785, _e700, _e706);
+                                    phi_3537_ = _e1791;
                                 } else {
-                                    phi_3914_ = _e656;
-                                    phi_3527_ = _e658;
-                                    phi_3528_ = _e698;
-                                    phi_3529_ = _e662;
-                                    phi_3530_ = _e700;
-                                    phi_3531_ = _e702;
+                                    phi_3920_ = _e656;
+                                    phi_3533_ = _e658;
+                                    phi_3534_ = _e660;
+                                    phi_3535_ = _e698;
+                                    phi_3536_ = _e700;
+                                    phi_3537_ = _e702;
                                 }
-                                let _e1788 = phi_3914_;
-                                let _e1790 = phi_3527_;
-                                let _e1792 = phi_3528_;
-                                let _e1794 = phi_3529_;
-                                let _e1796 = phi_3530_;
-                                let _e1798 = phi_3531_;
-                                phi_3913_ = _e1788;
-                                phi_3532_ = _e1790;
-                                phi_3533_ = _e1792;
-                                phi_3534_ = _e1794;
-                                phi_3535_ = _e1796;
-                                phi_3536_ = _e1798;
+                                let _e1795 = phi_3920_;
+                                let _e1797 = phi_3533_;
+                                let _e1799 = phi_3534_;
+                                let _e1801 = phi_3535_;
+                                let _e1803 = phi_3536_;
+                                let _e1805 = phi_3537_;
+                                phi_3919_ = _e1795;
+                                phi_3538_ = _e1797;
+                                phi_3539_ = _e1799;
+                                phi_3540_ = _e1801;
+                                phi_3541_ = _e1803;
+                                phi_3542_ = _e1805;
                             } else {
-                                phi_3913_ = _e656;
-                                phi_3532_ = type_40();
-                                phi_3533_ = bool();
-                                phi_3534_ = u32();
-                                phi_3535_ = u32();
-                                phi_3536_ = type_51();
+                                phi_3919_ = _e656;
+                                phi_3538_ = type_40();
+                                phi_3539_ = u32();
+                                phi_3540_ = bool();
+                                phi_3541_ = u32();
+                                phi_3542_ = type_51();
                             }
-                            let _e1800 = phi_3913_;
-                            let _e1802 = phi_3532_;
-                            let _e1804 = phi_3533_;
-                            let _e1806 = phi_3534_;
-                            let _e1808 = phi_3535_;
-                            let _e1810 = phi_3536_;
-                            phi_3912_ = _e1800;
-                            phi_1082_ = _e1802;
-                            phi_1085_ = _e1804;
-                            phi_1087_ = _e1806;
-                            phi_1089_ = _e1808;
-                            phi_1091_ = _e1810;
-                            phi_3537_ = _e670;
+                            let _e1807 = phi_3919_;
+                            let _e1809 = phi_3538_;
+                            let _e1811 = phi_3539_;
+                            let _e1813 = phi_3540_;
+                            let _e1815 = phi_3541_;
+                            let _e1817 = phi_3542_;
+                            phi_3918_ = _e1807;
+                            phi_1082_ = _e1809;
+                            phi_1085_ = _e1811;
+                            phi_1087_ = _e1813;
+                            phi_1089_ = _e1815;
+                            phi_1091_ = _e1817;
+                            phi_3543_ = _e670;
                         } else {
-                            phi_3912_ = _e656;
+                            phi_3918_ = _e656;
                             phi_1082_ = type_40();
-                            phi_1085_ = bool();
-                            phi_1087_ = u32();
+                            phi_1085_ = u32();
+                            phi_1087_ = bool();
                             phi_1089_ = u32();
                             phi_1091_ = type_51();
-                            phi_3537_ = false;
+                            phi_3543_ = false;
                         }
-                        let _e1812 = phi_3912_;
-                        let _e1814 = phi_1082_;
-                        let _e1816 = phi_1085_;
-                        let _e1818 = phi_1087_;
-                        let _e1820 = phi_1089_;
-                        let _e1822 = phi_1091_;
-                        let _e1824 = phi_3537_;
+                        let _e1819 = phi_3918_;
+                        let _e1821 = phi_1082_;
+                        let _e1823 = phi_1085_;
+                        let _e1825 = phi_1087_;
+                        let _e1827 = phi_1089_;
+                        let _e1829 = phi_1091_;
+                        let _e1831 = phi_3543_;
                         continue;
                         continuing {
-                            phi_3757_ = _e1812;
-                            phi_1081_ = _e1814;
-                            phi_1084_ = _e1816;
-                            phi_1086_ = _e1818;
-                            phi_1088_ = _e1820;
-                            phi_1090_ = _e1822;
-                            phi_3911_ = _e1812;
-                            break if !(_e1824);
+                            phi_3763_ = _e1819;
+                            phi_1081_ = _e1821;
+                            phi_1084_ = _e1823;
+                            phi_1086_ = _e1825;
+                            phi_1088_ = _e1827;
+                            phi_1090_ = _e1829;
+                            phi_3917_ = _e1819;
+                            break if !(_e1831);
                         }
                     }
-                    let _e1827 = phi_3911_;
-                    if _e1827 {
+                    let _e1834 = phi_3917_;
+                    if _e1834 {
                         break;
                     }
-                    let _e1829 = local_10;
-                    let _e1832 = local_11;
+                    let _e1836 = local_10;
+                    let _e1839 = local_11;
                     if _e146 {
                     } else {
                         break;
                     }
-                    global_6.member[_e144][0u] = _e1829.member_1;
-                    global_6.member[_e144][1u] = _e1832.member_2;
+                    global_6.member[_e144][0u] = _e1836.member_1;
+                    global_6.member[_e144][1u] = _e1839.member_2;
                 }
             }
             break;

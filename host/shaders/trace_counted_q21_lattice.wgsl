@@ -128,36 +128,16 @@ fn function_() {
     var phi_988_: u32;
     var phi_996_: f32;
     var phi_997_: f32;
-    var phi_4431_: bool;
+    var phi_4437_: bool;
     var phi_1094_: type_39;
-    var phi_1097_: bool;
-    var phi_1099_: u32;
+    var phi_1097_: u32;
+    var phi_1099_: bool;
     var phi_1101_: u32;
     var phi_1103_: type_50;
     var phi_1114_: bool;
     var phi_1200_: bool;
     var phi_1201_: u32;
     var phi_1202_: type_50;
-    var phi_3429_: u32;
-    var phi_3435_: u32;
-    var phi_3689_: u32;
-    var phi_3690_: u32;
-    var phi_3700_: u32;
-    var phi_3702_: u32;
-    var phi_3703_: bool;
-    var phi_3723_: u32;
-    var phi_3724_: u32;
-    var phi_3728_: type_51;
-    var phi_4093_: type_50;
-    var phi_4170_: type_50;
-    var phi_4171_: u32;
-    var phi_4172_: type_50;
-    var phi_4174_: u32;
-    var phi_4175_: type_50;
-    var phi_4176_: bool;
-    var phi_4185_: type_50;
-    var phi_4190_: bool;
-    var phi_4192_: type_50;
     var phi_1221_: type_39;
     var phi_1224_: type_8;
     var phi_1225_: type_8;
@@ -237,32 +217,55 @@ fn function_() {
     var phi_2921_: type_39;
     var phi_2922_: type_39;
     var phi_1222_: type_39;
-    var phi_4425_: bool;
-    var phi_4636_: bool;
-    var phi_4197_: type_39;
-    var phi_4198_: bool;
-    var phi_4199_: u32;
-    var phi_4200_: type_50;
-    var phi_4635_: bool;
-    var phi_4201_: type_39;
-    var phi_4202_: bool;
-    var phi_4203_: u32;
-    var phi_4204_: u32;
-    var phi_4205_: type_50;
-    var phi_4634_: bool;
-    var phi_4206_: type_39;
-    var phi_4207_: bool;
+    var phi_4431_: bool;
+    var phi_4729_: bool;
+    var phi_2923_: type_39;
+    var phi_3425_: u32;
+    var phi_3431_: u32;
+    var phi_3685_: u32;
+    var phi_3686_: u32;
+    var phi_3696_: u32;
+    var phi_3698_: u32;
+    var phi_3699_: bool;
+    var phi_3719_: u32;
+    var phi_3720_: u32;
+    var phi_3724_: type_51;
+    var phi_4089_: type_50;
+    var phi_4165_: type_50;
+    var phi_4166_: u32;
+    var phi_4167_: type_50;
+    var phi_4169_: u32;
+    var phi_4170_: type_50;
+    var phi_4171_: bool;
+    var phi_4180_: type_50;
+    var phi_4185_: bool;
+    var phi_4187_: type_50;
+    var phi_4192_: type_39;
+    var phi_4193_: bool;
+    var phi_4194_: u32;
+    var phi_4195_: type_50;
+    var phi_4203_: type_39;
+    var phi_4206_: type_50;
+    var phi_4641_: bool;
+    var phi_4207_: type_39;
     var phi_4208_: u32;
-    var phi_4209_: u32;
-    var phi_4210_: type_50;
-    var phi_4633_: bool;
+    var phi_4209_: bool;
+    var phi_4210_: u32;
+    var phi_4211_: type_50;
+    var phi_4640_: bool;
+    var phi_4212_: type_39;
+    var phi_4213_: u32;
+    var phi_4214_: bool;
+    var phi_4215_: u32;
+    var phi_4216_: type_50;
+    var phi_4639_: bool;
     var phi_1095_: type_39;
-    var phi_1098_: bool;
-    var phi_1100_: u32;
+    var phi_1098_: u32;
+    var phi_1100_: bool;
     var phi_1102_: u32;
     var phi_1104_: type_50;
-    var phi_4211_: bool;
-    var phi_4632_: bool;
+    var phi_4217_: bool;
+    var phi_4638_: bool;
     var local_10: type_39;
     var local_11: type_39;
     var local_12: type_39;
@@ -629,14 +632,14 @@ fn function_() {
                         break;
                     }
                     let _e652 = local[_e636];
-                    phi_4431_ = false;
+                    phi_4437_ = false;
                     phi_1094_ = type_39(type_33(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e617), 0u, 0u);
-                    phi_1097_ = (_e619 <= _e617);
-                    phi_1099_ = ((3u * _e93) + 1u);
+                    phi_1097_ = ((3u * _e93) + 1u);
+                    phi_1099_ = (_e619 <= _e617);
                     phi_1101_ = 0u;
                     phi_1103_ = type_50(type_28(vec4<f32>((f32(_e627) * _e144), (f32(_e633) * _e144), (f32(_e639) * _e144), 0f), vec4<f32>((f32(_e644) * _e144), (f32(_e648) * _e144), (f32(_e652) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
                     loop {
-                        let _e662 = phi_4431_;
+                        let _e662 = phi_4437_;
                         let _e664 = phi_1094_;
                         let _e666 = phi_1097_;
                         let _e668 = phi_1099_;
@@ -644,17 +647,17 @@ fn function_() {
                         let _e672 = phi_1103_;
                         local_10 = _e664;
                         local_11 = _e664;
-                        if _e666 {
+                        if _e668 {
                             phi_1114_ = true;
                         } else {
                             phi_1114_ = (_e670 > 0u);
                         }
                         let _e675 = phi_1114_;
                         if _e675 {
-                            let _e676 = (_e668 > 0u);
+                            let _e676 = (_e666 > 0u);
                             if _e676 {
-                                if _e666 {
-                                    phi_1200_ = _e666;
+                                if _e668 {
+                                    phi_1200_ = _e668;
                                     phi_1201_ = _e670;
                                     phi_1202_ = _e672;
                                 } else {
@@ -663,49 +666,49 @@ fn function_() {
                                     let _e679 = (_e678 < 128u);
                                     if _e679 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e681 = local_7[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e683 = local_6[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e685 = local_5[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e687 = local_4[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e689 = local_3[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e691 = local_2[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e696 = local_8[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4632_ = true;
+                                        phi_4638_ = true;
                                         break;
                                     }
                                     let _e699 = local_9[_e678];
@@ -717,39 +720,40 @@ fn function_() {
                                 let _e706 = phi_1201_;
                                 let _e708 = phi_1202_;
                                 if _e704 {
+                                    let _e712 = ((_e708.member_1 & 2147483648u) != 0u);
                                     let _e713 = (_e708.member_1 & 268435455u);
-                                    if ((_e708.member_1 & 2147483648u) != 0u) {
+                                    if _e712 {
                                         phi_1221_ = _e664;
                                         phi_1224_ = type_8(0u, ((_e708.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1204 = phi_1221_;
-                                            let _e1206 = phi_1224_;
-                                            local_12 = _e1204;
-                                            if (_e1206.member < _e1206.member_1) {
-                                                phi_1225_ = type_8((_e1206.member + 1u), _e1206.member_1);
-                                                phi_1247_ = type_8(1u, _e1206.member);
+                                            let _e720 = phi_1221_;
+                                            let _e722 = phi_1224_;
+                                            local_12 = _e720;
+                                            if (_e722.member < _e722.member_1) {
+                                                phi_1225_ = type_8((_e722.member + 1u), _e722.member_1);
+                                                phi_1247_ = type_8(1u, _e722.member);
                                             } else {
-                                                phi_1225_ = _e1206;
+                                                phi_1225_ = _e722;
                                                 phi_1247_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1219 = phi_1225_;
-                                            let _e1221 = phi_1247_;
-                                            let _e1225 = (bitcast<i32>(_e1221.member) != 0i);
-                                            if _e1225 {
-                                                let _e1231 = type_39(_e1204.member, _e1204.member_1, (_e1204.member_2 + 1u));
-                                                let _e1236 = (_e708.member.member_1.x - _e708.member.member.x);
-                                                let _e1239 = (_e708.member.member_1.y - _e708.member.member.y);
-                                                let _e1242 = (_e708.member.member_1.z - _e708.member.member.z);
-                                                let _e1244 = select(_e1239, _e1236, (_e1236 > _e1239));
-                                                let _e1246 = select(_e1242, _e1244, (_e1244 > _e1242));
-                                                let _e1248 = (_e1246 < (1024f * _e144));
-                                                if _e1248 {
+                                            let _e735 = phi_1225_;
+                                            let _e737 = phi_1247_;
+                                            let _e741 = (bitcast<i32>(_e737.member) != 0i);
+                                            if _e741 {
+                                                let _e747 = type_39(_e720.member, _e720.member_1, (_e720.member_2 + 1u));
+                                                let _e752 = (_e708.member.member_1.x - _e708.member.member.x);
+                                                let _e755 = (_e708.member.member_1.y - _e708.member.member.y);
+                                                let _e758 = (_e708.member.member_1.z - _e708.member.member.z);
+                                                let _e760 = select(_e755, _e752, (_e752 > _e755));
+                                                let _e762 = select(_e758, _e760, (_e760 > _e758));
+                                                let _e764 = (_e762 < (1024f * _e144));
+                                                if _e764 {
                                                     phi_1291_ = 0u;
                                                 } else {
-                                                    phi_1291_ = select(2u, 1u, (_e1246 < (2097152f * _e144)));
+                                                    phi_1291_ = select(2u, 1u, (_e762 < (2097152f * _e144)));
                                                 }
-                                                let _e1253 = phi_1291_;
-                                                switch bitcast<i32>(_e1253) {
+                                                let _e769 = phi_1291_;
+                                                switch bitcast<i32>(_e769) {
                                                     case 0: {
                                                         phi_1297_ = 1u;
                                                         break;
@@ -767,8 +771,8 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1256 = phi_1297_;
-                                                switch bitcast<i32>(_e1253) {
+                                                let _e772 = phi_1297_;
+                                                switch bitcast<i32>(_e769) {
                                                     case 0: {
                                                         phi_1307_ = 1u;
                                                         break;
@@ -786,28 +790,28 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1263 = phi_1307_;
-                                                let _e1265 = ((_e713 + (_e1221.member_1 * ((3u * _e1256) + 1u))) + (3u * _e1263));
-                                                let _e1266 = (_e1265 < _e96);
-                                                if _e1266 {
-                                                    if _e1266 {
+                                                let _e779 = phi_1307_;
+                                                let _e781 = ((_e713 + (_e737.member_1 * ((3u * _e772) + 1u))) + (3u * _e779));
+                                                let _e782 = (_e781 < _e96);
+                                                if _e782 {
+                                                    if _e782 {
                                                     } else {
-                                                        phi_4425_ = true;
+                                                        phi_4431_ = true;
                                                         break;
                                                     }
-                                                    let _e1268 = global_5.member[_e1265];
-                                                    phi_1323_ = _e1268;
+                                                    let _e784 = global_5.member[_e781];
+                                                    phi_1323_ = _e784;
                                                 } else {
                                                     phi_1323_ = 4294967295u;
                                                 }
-                                                let _e1270 = phi_1323_;
-                                                if _e1248 {
+                                                let _e786 = phi_1323_;
+                                                if _e764 {
                                                     phi_1356_ = 0u;
                                                 } else {
-                                                    phi_1356_ = select(2u, 1u, (_e1246 < (2097152f * _e144)));
+                                                    phi_1356_ = select(2u, 1u, (_e762 < (2097152f * _e144)));
                                                 }
-                                                let _e1275 = phi_1356_;
-                                                switch bitcast<i32>(_e1275) {
+                                                let _e791 = phi_1356_;
+                                                switch bitcast<i32>(_e791) {
                                                     case 0: {
                                                         phi_1362_ = 1u;
                                                         break;
@@ -825,331 +829,331 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1278 = phi_1362_;
-                                                let _e1282 = (_e713 + (_e1221.member_1 * ((3u * _e1278) + 1u)));
-                                                switch bitcast<i32>(_e1275) {
+                                                let _e794 = phi_1362_;
+                                                let _e798 = (_e713 + (_e737.member_1 * ((3u * _e794) + 1u)));
+                                                switch bitcast<i32>(_e791) {
                                                     case 0: {
-                                                        let _e1557 = (_e1282 < _e96);
-                                                        if _e1557 {
-                                                            if _e1557 {
+                                                        let _e1073 = (_e798 < _e96);
+                                                        if _e1073 {
+                                                            if _e1073 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1559 = global_5.member[_e1282];
-                                                            phi_1389_ = _e1559;
+                                                            let _e1075 = global_5.member[_e798];
+                                                            phi_1389_ = _e1075;
                                                         } else {
                                                             phi_1389_ = 0u;
                                                         }
-                                                        let _e1561 = phi_1389_;
-                                                        let _e1563 = ((10u * _e264) & 31u);
-                                                        let _e1573 = ((10u * _e263) & 31u);
-                                                        let _e1583 = ((10u * _e265) & 31u);
-                                                        let _e1593 = (_e1282 + 1u);
-                                                        let _e1594 = (_e1593 < _e96);
-                                                        if _e1594 {
-                                                            if _e1594 {
+                                                        let _e1077 = phi_1389_;
+                                                        let _e1079 = ((10u * _e264) & 31u);
+                                                        let _e1089 = ((10u * _e263) & 31u);
+                                                        let _e1099 = ((10u * _e265) & 31u);
+                                                        let _e1109 = (_e798 + 1u);
+                                                        let _e1110 = (_e1109 < _e96);
+                                                        if _e1110 {
+                                                            if _e1110 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1596 = global_5.member[_e1593];
-                                                            phi_1438_ = _e1596;
+                                                            let _e1112 = global_5.member[_e1109];
+                                                            phi_1438_ = _e1112;
                                                         } else {
                                                             phi_1438_ = 0u;
                                                         }
-                                                        let _e1598 = phi_1438_;
-                                                        let _e1624 = (_e1282 + 2u);
-                                                        let _e1625 = (_e1624 < _e96);
-                                                        if _e1625 {
-                                                            if _e1625 {
+                                                        let _e1114 = phi_1438_;
+                                                        let _e1140 = (_e798 + 2u);
+                                                        let _e1141 = (_e1140 < _e96);
+                                                        if _e1141 {
+                                                            if _e1141 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1627 = global_5.member[_e1624];
-                                                            phi_1487_ = _e1627;
+                                                            let _e1143 = global_5.member[_e1140];
+                                                            phi_1487_ = _e1143;
                                                         } else {
                                                             phi_1487_ = 0u;
                                                         }
-                                                        let _e1629 = phi_1487_;
-                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))));
+                                                        let _e1145 = phi_1487_;
+                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1077 >> bitcast<u32>(_e1079)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1077 >> bitcast<u32>(_e1089)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1077 >> bitcast<u32>(_e1099)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1114 >> bitcast<u32>(_e1079)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1114 >> bitcast<u32>(_e1089)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1114 >> bitcast<u32>(_e1099)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1145 >> bitcast<u32>(_e1079)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1145 >> bitcast<u32>(_e1089)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1145 >> bitcast<u32>(_e1099)) & 1023u))) - 8388608f) * _e144))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1371 = (_e1282 < _e96);
-                                                        if _e1371 {
-                                                            if _e1371 {
+                                                        let _e887 = (_e798 < _e96);
+                                                        if _e887 {
+                                                            if _e887 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1373 = global_5.member[_e1282];
-                                                            phi_1536_ = _e1373;
+                                                            let _e889 = global_5.member[_e798];
+                                                            phi_1536_ = _e889;
                                                         } else {
                                                             phi_1536_ = 0u;
                                                         }
-                                                        let _e1375 = phi_1536_;
-                                                        let _e1376 = (_e1282 + 1u);
-                                                        let _e1377 = (_e1376 < _e96);
-                                                        if _e1377 {
-                                                            if _e1377 {
+                                                        let _e891 = phi_1536_;
+                                                        let _e892 = (_e798 + 1u);
+                                                        let _e893 = (_e892 < _e96);
+                                                        if _e893 {
+                                                            if _e893 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1379 = global_5.member[_e1376];
-                                                            phi_1551_ = _e1379;
+                                                            let _e895 = global_5.member[_e892];
+                                                            phi_1551_ = _e895;
                                                         } else {
                                                             phi_1551_ = 0u;
                                                         }
-                                                        let _e1381 = phi_1551_;
-                                                        let _e1382 = (_e264 == 1u);
-                                                        if _e1382 {
-                                                            phi_1561_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
+                                                        let _e897 = phi_1551_;
+                                                        let _e898 = (_e264 == 1u);
+                                                        if _e898 {
+                                                            phi_1561_ = ((_e891 >> bitcast<u32>(21i)) | (_e897 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1561_ = (_e1381 >> bitcast<u32>(10i));
+                                                            phi_1561_ = (_e897 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1391 = phi_1561_;
-                                                        let _e1399 = (_e263 == 1u);
-                                                        if _e1399 {
-                                                            phi_1582_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
+                                                        let _e907 = phi_1561_;
+                                                        let _e915 = (_e263 == 1u);
+                                                        if _e915 {
+                                                            phi_1582_ = ((_e891 >> bitcast<u32>(21i)) | (_e897 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1582_ = (_e1381 >> bitcast<u32>(10i));
+                                                            phi_1582_ = (_e897 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1408 = phi_1582_;
-                                                        let _e1416 = (_e265 == 1u);
-                                                        if _e1416 {
-                                                            phi_1603_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
+                                                        let _e924 = phi_1582_;
+                                                        let _e932 = (_e265 == 1u);
+                                                        if _e932 {
+                                                            phi_1603_ = ((_e891 >> bitcast<u32>(21i)) | (_e897 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1603_ = (_e1381 >> bitcast<u32>(10i));
+                                                            phi_1603_ = (_e897 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1425 = phi_1603_;
-                                                        let _e1434 = (_e1282 + 2u);
-                                                        let _e1435 = (_e1434 < _e96);
-                                                        if _e1435 {
-                                                            if _e1435 {
+                                                        let _e941 = phi_1603_;
+                                                        let _e950 = (_e798 + 2u);
+                                                        let _e951 = (_e950 < _e96);
+                                                        if _e951 {
+                                                            if _e951 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1437 = global_5.member[_e1434];
-                                                            phi_1633_ = _e1437;
+                                                            let _e953 = global_5.member[_e950];
+                                                            phi_1633_ = _e953;
                                                         } else {
                                                             phi_1633_ = 0u;
                                                         }
-                                                        let _e1439 = phi_1633_;
-                                                        let _e1440 = (_e1282 + 3u);
-                                                        let _e1441 = (_e1440 < _e96);
-                                                        if _e1441 {
-                                                            if _e1441 {
+                                                        let _e955 = phi_1633_;
+                                                        let _e956 = (_e798 + 3u);
+                                                        let _e957 = (_e956 < _e96);
+                                                        if _e957 {
+                                                            if _e957 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1443 = global_5.member[_e1440];
-                                                            phi_1648_ = _e1443;
+                                                            let _e959 = global_5.member[_e956];
+                                                            phi_1648_ = _e959;
                                                         } else {
                                                             phi_1648_ = 0u;
                                                         }
-                                                        let _e1445 = phi_1648_;
-                                                        if _e1382 {
-                                                            phi_1658_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
+                                                        let _e961 = phi_1648_;
+                                                        if _e898 {
+                                                            phi_1658_ = ((_e955 >> bitcast<u32>(21i)) | (_e961 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1658_ = (_e1445 >> bitcast<u32>(10i));
+                                                            phi_1658_ = (_e961 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1454 = phi_1658_;
-                                                        if _e1399 {
-                                                            phi_1679_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
+                                                        let _e970 = phi_1658_;
+                                                        if _e915 {
+                                                            phi_1679_ = ((_e955 >> bitcast<u32>(21i)) | (_e961 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1679_ = (_e1445 >> bitcast<u32>(10i));
+                                                            phi_1679_ = (_e961 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1470 = phi_1679_;
-                                                        if _e1416 {
-                                                            phi_1700_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
+                                                        let _e986 = phi_1679_;
+                                                        if _e932 {
+                                                            phi_1700_ = ((_e955 >> bitcast<u32>(21i)) | (_e961 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1700_ = (_e1445 >> bitcast<u32>(10i));
+                                                            phi_1700_ = (_e961 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1486 = phi_1700_;
-                                                        let _e1495 = (_e1282 + 4u);
-                                                        let _e1496 = (_e1495 < _e96);
-                                                        if _e1496 {
-                                                            if _e1496 {
+                                                        let _e1002 = phi_1700_;
+                                                        let _e1011 = (_e798 + 4u);
+                                                        let _e1012 = (_e1011 < _e96);
+                                                        if _e1012 {
+                                                            if _e1012 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1498 = global_5.member[_e1495];
-                                                            phi_1730_ = _e1498;
+                                                            let _e1014 = global_5.member[_e1011];
+                                                            phi_1730_ = _e1014;
                                                         } else {
                                                             phi_1730_ = 0u;
                                                         }
-                                                        let _e1500 = phi_1730_;
-                                                        let _e1501 = (_e1282 + 5u);
-                                                        let _e1502 = (_e1501 < _e96);
-                                                        if _e1502 {
-                                                            if _e1502 {
+                                                        let _e1016 = phi_1730_;
+                                                        let _e1017 = (_e798 + 5u);
+                                                        let _e1018 = (_e1017 < _e96);
+                                                        if _e1018 {
+                                                            if _e1018 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1504 = global_5.member[_e1501];
-                                                            phi_1745_ = _e1504;
+                                                            let _e1020 = global_5.member[_e1017];
+                                                            phi_1745_ = _e1020;
                                                         } else {
                                                             phi_1745_ = 0u;
                                                         }
-                                                        let _e1506 = phi_1745_;
-                                                        if _e1382 {
-                                                            phi_1755_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
+                                                        let _e1022 = phi_1745_;
+                                                        if _e898 {
+                                                            phi_1755_ = ((_e1016 >> bitcast<u32>(21i)) | (_e1022 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1755_ = (_e1506 >> bitcast<u32>(10i));
+                                                            phi_1755_ = (_e1022 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1515 = phi_1755_;
-                                                        if _e1399 {
-                                                            phi_1776_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
+                                                        let _e1031 = phi_1755_;
+                                                        if _e915 {
+                                                            phi_1776_ = ((_e1016 >> bitcast<u32>(21i)) | (_e1022 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1776_ = (_e1506 >> bitcast<u32>(10i));
+                                                            phi_1776_ = (_e1022 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1531 = phi_1776_;
-                                                        if _e1416 {
-                                                            phi_1797_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
+                                                        let _e1047 = phi_1776_;
+                                                        if _e932 {
+                                                            phi_1797_ = ((_e1016 >> bitcast<u32>(21i)) | (_e1022 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1797_ = (_e1506 >> bitcast<u32>(10i));
+                                                            phi_1797_ = (_e1022 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1547 = phi_1797_;
-                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1391, _e1375, _e303) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1408, _e1375, _e372) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1425, _e1375, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1454, _e1439, _e303) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1470, _e1439, _e372) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1486, _e1439, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1515, _e1500, _e303) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1531, _e1500, _e372) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1547, _e1500, _e440) & 2097151u))) - 8388608f) * _e144))));
+                                                        let _e1063 = phi_1797_;
+                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e907, _e891, _e303) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e924, _e891, _e372) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e941, _e891, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e970, _e955, _e303) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e986, _e955, _e372) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1002, _e955, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1031, _e1016, _e303) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1047, _e1016, _e372) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1063, _e1016, _e440) & 2097151u))) - 8388608f) * _e144))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1284 = (_e1282 + _e264);
-                                                        let _e1285 = (_e1284 < _e96);
-                                                        if _e1285 {
-                                                            if _e1285 {
+                                                        let _e800 = (_e798 + _e264);
+                                                        let _e801 = (_e800 < _e96);
+                                                        if _e801 {
+                                                            if _e801 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1287 = global_5.member[_e1284];
-                                                            phi_1828_ = _e1287;
+                                                            let _e803 = global_5.member[_e800];
+                                                            phi_1828_ = _e803;
                                                         } else {
                                                             phi_1828_ = 0u;
                                                         }
-                                                        let _e1289 = phi_1828_;
-                                                        let _e1293 = (_e1282 + _e263);
-                                                        let _e1294 = (_e1293 < _e96);
-                                                        if _e1294 {
-                                                            if _e1294 {
+                                                        let _e805 = phi_1828_;
+                                                        let _e809 = (_e798 + _e263);
+                                                        let _e810 = (_e809 < _e96);
+                                                        if _e810 {
+                                                            if _e810 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1296 = global_5.member[_e1293];
-                                                            phi_1846_ = _e1296;
+                                                            let _e812 = global_5.member[_e809];
+                                                            phi_1846_ = _e812;
                                                         } else {
                                                             phi_1846_ = 0u;
                                                         }
-                                                        let _e1298 = phi_1846_;
-                                                        let _e1302 = (_e1282 + _e265);
-                                                        let _e1303 = (_e1302 < _e96);
-                                                        if _e1303 {
-                                                            if _e1303 {
+                                                        let _e814 = phi_1846_;
+                                                        let _e818 = (_e798 + _e265);
+                                                        let _e819 = (_e818 < _e96);
+                                                        if _e819 {
+                                                            if _e819 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1305 = global_5.member[_e1302];
-                                                            phi_1864_ = _e1305;
+                                                            let _e821 = global_5.member[_e818];
+                                                            phi_1864_ = _e821;
                                                         } else {
                                                             phi_1864_ = 0u;
                                                         }
-                                                        let _e1307 = phi_1864_;
-                                                        let _e1312 = (_e1282 + 3u);
-                                                        let _e1313 = (_e1312 + _e264);
-                                                        let _e1314 = (_e1313 < _e96);
-                                                        if _e1314 {
-                                                            if _e1314 {
+                                                        let _e823 = phi_1864_;
+                                                        let _e828 = (_e798 + 3u);
+                                                        let _e829 = (_e828 + _e264);
+                                                        let _e830 = (_e829 < _e96);
+                                                        if _e830 {
+                                                            if _e830 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1316 = global_5.member[_e1313];
-                                                            phi_1887_ = _e1316;
+                                                            let _e832 = global_5.member[_e829];
+                                                            phi_1887_ = _e832;
                                                         } else {
                                                             phi_1887_ = 0u;
                                                         }
-                                                        let _e1318 = phi_1887_;
-                                                        let _e1322 = (_e1312 + _e263);
-                                                        let _e1323 = (_e1322 < _e96);
-                                                        if _e1323 {
-                                                            if _e1323 {
+                                                        let _e834 = phi_1887_;
+                                                        let _e838 = (_e828 + _e263);
+                                                        let _e839 = (_e838 < _e96);
+                                                        if _e839 {
+                                                            if _e839 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1325 = global_5.member[_e1322];
-                                                            phi_1905_ = _e1325;
+                                                            let _e841 = global_5.member[_e838];
+                                                            phi_1905_ = _e841;
                                                         } else {
                                                             phi_1905_ = 0u;
                                                         }
-                                                        let _e1327 = phi_1905_;
-                                                        let _e1331 = (_e1312 + _e265);
-                                                        let _e1332 = (_e1331 < _e96);
-                                                        if _e1332 {
-                                                            if _e1332 {
+                                                        let _e843 = phi_1905_;
+                                                        let _e847 = (_e828 + _e265);
+                                                        let _e848 = (_e847 < _e96);
+                                                        if _e848 {
+                                                            if _e848 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1334 = global_5.member[_e1331];
-                                                            phi_1923_ = _e1334;
+                                                            let _e850 = global_5.member[_e847];
+                                                            phi_1923_ = _e850;
                                                         } else {
                                                             phi_1923_ = 0u;
                                                         }
-                                                        let _e1336 = phi_1923_;
-                                                        let _e1341 = (_e1282 + 6u);
-                                                        let _e1342 = (_e1341 + _e264);
-                                                        let _e1343 = (_e1342 < _e96);
-                                                        if _e1343 {
-                                                            if _e1343 {
+                                                        let _e852 = phi_1923_;
+                                                        let _e857 = (_e798 + 6u);
+                                                        let _e858 = (_e857 + _e264);
+                                                        let _e859 = (_e858 < _e96);
+                                                        if _e859 {
+                                                            if _e859 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1345 = global_5.member[_e1342];
-                                                            phi_1946_ = _e1345;
+                                                            let _e861 = global_5.member[_e858];
+                                                            phi_1946_ = _e861;
                                                         } else {
                                                             phi_1946_ = 0u;
                                                         }
-                                                        let _e1347 = phi_1946_;
-                                                        let _e1351 = (_e1341 + _e263);
-                                                        let _e1352 = (_e1351 < _e96);
-                                                        if _e1352 {
-                                                            if _e1352 {
+                                                        let _e863 = phi_1946_;
+                                                        let _e867 = (_e857 + _e263);
+                                                        let _e868 = (_e867 < _e96);
+                                                        if _e868 {
+                                                            if _e868 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1354 = global_5.member[_e1351];
-                                                            phi_1964_ = _e1354;
+                                                            let _e870 = global_5.member[_e867];
+                                                            phi_1964_ = _e870;
                                                         } else {
                                                             phi_1964_ = 0u;
                                                         }
-                                                        let _e1356 = phi_1964_;
-                                                        let _e1360 = (_e1341 + _e265);
-                                                        let _e1361 = (_e1360 < _e96);
-                                                        if _e1361 {
-                                                            if _e1361 {
+                                                        let _e872 = phi_1964_;
+                                                        let _e876 = (_e857 + _e265);
+                                                        let _e877 = (_e876 < _e96);
+                                                        if _e877 {
+                                                            if _e877 {
                                                             } else {
-                                                                phi_4425_ = true;
+                                                                phi_4431_ = true;
                                                                 break;
                                                             }
-                                                            let _e1363 = global_5.member[_e1360];
-                                                            phi_1982_ = _e1363;
+                                                            let _e879 = global_5.member[_e876];
+                                                            phi_1982_ = _e879;
                                                         } else {
                                                             phi_1982_ = 0u;
                                                         }
-                                                        let _e1365 = phi_1982_;
-                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1289)) * _e144), (f32(bitcast<i32>(_e1298)) * _e144), (f32(bitcast<i32>(_e1307)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1318)) * _e144), (f32(bitcast<i32>(_e1327)) * _e144), (f32(bitcast<i32>(_e1336)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1347)) * _e144), (f32(bitcast<i32>(_e1356)) * _e144), (f32(bitcast<i32>(_e1365)) * _e144)));
+                                                        let _e881 = phi_1982_;
+                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e805)) * _e144), (f32(bitcast<i32>(_e814)) * _e144), (f32(bitcast<i32>(_e823)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e834)) * _e144), (f32(bitcast<i32>(_e843)) * _e144), (f32(bitcast<i32>(_e852)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e863)) * _e144), (f32(bitcast<i32>(_e872)) * _e144), (f32(bitcast<i32>(_e881)) * _e144)));
                                                         break;
                                                     }
                                                     default: {
@@ -1157,755 +1161,770 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1657 = phi_1988_;
-                                                let _e1666 = (_e1657[0][2] - _e465);
-                                                let _e1669 = (((_e1657[0][0] - _e328) * _e504) - (_e1666 * _e368));
-                                                let _e1672 = (((_e1657[0][1] - _e397) * _e504) - (_e1666 * _e436));
-                                                let _e1679 = (_e1657[1][2] - _e465);
-                                                let _e1682 = (((_e1657[1][0] - _e328) * _e504) - (_e1679 * _e368));
-                                                let _e1685 = (((_e1657[1][1] - _e397) * _e504) - (_e1679 * _e436));
-                                                let _e1692 = (_e1657[2][2] - _e465);
-                                                let _e1695 = (((_e1657[2][0] - _e328) * _e504) - (_e1692 * _e368));
-                                                let _e1698 = (((_e1657[2][1] - _e397) * _e504) - (_e1692 * _e436));
-                                                let _e1699 = (_e1695 * _e1685);
-                                                let _e1700 = (_e1698 * _e1682);
-                                                let _e1701 = (_e1669 * _e1698);
-                                                let _e1702 = (_e1672 * _e1695);
-                                                let _e1703 = (_e1682 * _e1672);
-                                                let _e1704 = (_e1685 * _e1669);
-                                                let _e1709 = (((_e1699 >= _e1700) && (_e1701 >= _e1702)) && (_e1703 >= _e1704));
-                                                if (_e1709 || (((_e1699 <= _e1700) && (_e1701 <= _e1702)) && (_e1703 <= _e1704))) {
-                                                    let _e1716 = select(-1f, 1f, _e1709);
-                                                    let _e1718 = ((_e1699 - _e1700) * _e1716);
-                                                    let _e1720 = select(0f, _e1718, (_e1718 > 0f));
-                                                    let _e1722 = ((_e1701 - _e1702) * _e1716);
-                                                    let _e1724 = select(0f, _e1722, (_e1722 > 0f));
-                                                    let _e1726 = ((_e1703 - _e1704) * _e1716);
-                                                    let _e1728 = select(0f, _e1726, (_e1726 > 0f));
-                                                    let _e1730 = ((_e1720 + _e1724) + _e1728);
-                                                    if (_e1730 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e1173 = phi_1988_;
+                                                let _e1182 = (_e1173[0][2] - _e465);
+                                                let _e1185 = (((_e1173[0][0] - _e328) * _e504) - (_e1182 * _e368));
+                                                let _e1188 = (((_e1173[0][1] - _e397) * _e504) - (_e1182 * _e436));
+                                                let _e1195 = (_e1173[1][2] - _e465);
+                                                let _e1198 = (((_e1173[1][0] - _e328) * _e504) - (_e1195 * _e368));
+                                                let _e1201 = (((_e1173[1][1] - _e397) * _e504) - (_e1195 * _e436));
+                                                let _e1208 = (_e1173[2][2] - _e465);
+                                                let _e1211 = (((_e1173[2][0] - _e328) * _e504) - (_e1208 * _e368));
+                                                let _e1214 = (((_e1173[2][1] - _e397) * _e504) - (_e1208 * _e436));
+                                                let _e1215 = (_e1211 * _e1201);
+                                                let _e1216 = (_e1214 * _e1198);
+                                                let _e1217 = (_e1185 * _e1214);
+                                                let _e1218 = (_e1188 * _e1211);
+                                                let _e1219 = (_e1198 * _e1188);
+                                                let _e1220 = (_e1201 * _e1185);
+                                                let _e1225 = (((_e1215 >= _e1216) && (_e1217 >= _e1218)) && (_e1219 >= _e1220));
+                                                if (_e1225 || (((_e1215 <= _e1216) && (_e1217 <= _e1218)) && (_e1219 <= _e1220))) {
+                                                    let _e1232 = select(-1f, 1f, _e1225);
+                                                    let _e1234 = ((_e1215 - _e1216) * _e1232);
+                                                    let _e1236 = select(0f, _e1234, (_e1234 > 0f));
+                                                    let _e1238 = ((_e1217 - _e1218) * _e1232);
+                                                    let _e1240 = select(0f, _e1238, (_e1238 > 0f));
+                                                    let _e1242 = ((_e1219 - _e1220) * _e1232);
+                                                    let _e1244 = select(0f, _e1242, (_e1242 > 0f));
+                                                    let _e1246 = ((_e1236 + _e1240) + _e1244);
+                                                    if (_e1246 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2872_ = type_24();
                                                         phi_2873_ = true;
                                                         phi_2874_ = false;
                                                     } else {
-                                                        let _e1733 = select(_e1682, _e1669, (_e1669 < _e1682));
-                                                        if (select(_e1695, _e1733, (_e1733 < _e1695)) > 0f) {
+                                                        let _e1249 = select(_e1198, _e1185, (_e1185 < _e1198));
+                                                        if (select(_e1211, _e1249, (_e1249 < _e1211)) > 0f) {
                                                             phi_2140_ = true;
                                                         } else {
-                                                            let _e1738 = select(_e1682, _e1669, (_e1669 > _e1682));
-                                                            phi_2140_ = (select(_e1695, _e1738, (_e1738 > _e1695)) < 0f);
+                                                            let _e1254 = select(_e1198, _e1185, (_e1185 > _e1198));
+                                                            phi_2140_ = (select(_e1211, _e1254, (_e1254 > _e1211)) < 0f);
                                                         }
-                                                        let _e1743 = phi_2140_;
-                                                        if _e1743 {
+                                                        let _e1259 = phi_2140_;
+                                                        if _e1259 {
                                                             phi_2869_ = type_24();
                                                             phi_2870_ = true;
                                                             phi_2871_ = false;
                                                         } else {
-                                                            let _e1745 = select(_e1685, _e1672, (_e1672 < _e1685));
-                                                            if (select(_e1698, _e1745, (_e1745 < _e1698)) > 0f) {
+                                                            let _e1261 = select(_e1201, _e1188, (_e1188 < _e1201));
+                                                            if (select(_e1214, _e1261, (_e1261 < _e1214)) > 0f) {
                                                                 phi_2169_ = true;
                                                             } else {
-                                                                let _e1750 = select(_e1685, _e1672, (_e1672 > _e1685));
-                                                                phi_2169_ = (select(_e1698, _e1750, (_e1750 > _e1698)) < 0f);
+                                                                let _e1266 = select(_e1201, _e1188, (_e1188 > _e1201));
+                                                                phi_2169_ = (select(_e1214, _e1266, (_e1266 > _e1214)) < 0f);
                                                             }
-                                                            let _e1755 = phi_2169_;
-                                                            if _e1755 {
+                                                            let _e1271 = phi_2169_;
+                                                            if _e1271 {
                                                                 phi_2867_ = type_24();
                                                                 phi_2868_ = false;
                                                             } else {
-                                                                let _e1757 = select(_e1657[1][0], _e1657[0][0], (_e1657[0][0] < _e1657[1][0]));
-                                                                let _e1761 = select(_e1657[1][0], _e1657[0][0], (_e1657[0][0] > _e1657[1][0]));
-                                                                let _e1765 = select(_e1657[1][1], _e1657[0][1], (_e1657[0][1] < _e1657[1][1]));
-                                                                let _e1769 = select(_e1657[1][1], _e1657[0][1], (_e1657[0][1] > _e1657[1][1]));
-                                                                let _e1773 = select(_e1657[1][2], _e1657[0][2], (_e1657[0][2] < _e1657[1][2]));
-                                                                let _e1777 = select(_e1657[1][2], _e1657[0][2], (_e1657[0][2] > _e1657[1][2]));
-                                                                let _e1782 = ((select(_e1657[2][0], _e1757, (_e1757 < _e1657[2][0])) - _e366) * _e371);
-                                                                let _e1783 = ((select(_e1657[2][0], _e1761, (_e1761 > _e1657[2][0])) - _e367) * _e371);
-                                                                let _e1786 = ((select(_e1657[2][1], _e1765, (_e1765 < _e1657[2][1])) - _e434) * _e439);
-                                                                let _e1787 = ((select(_e1657[2][1], _e1769, (_e1769 > _e1657[2][1])) - _e435) * _e439);
-                                                                let _e1790 = ((select(_e1657[2][2], _e1773, (_e1773 < _e1657[2][2])) - _e502) * _e507);
-                                                                let _e1791 = ((select(_e1657[2][2], _e1777, (_e1777 > _e1657[2][2])) - _e503) * _e507);
-                                                                let _e1793 = select(_e1791, _e1790, (_e1790 < _e1791));
-                                                                let _e1795 = select(_e1791, _e1790, (_e1790 > _e1791));
-                                                                let _e1797 = select(_e1783, _e1782, (_e1782 < _e1783));
-                                                                let _e1799 = select(_e1787, _e1786, (_e1786 < _e1787));
-                                                                let _e1801 = select(_e1799, _e1797, (_e1797 > _e1799));
-                                                                let _e1803 = select(_e1793, _e1801, (_e1801 > _e1793));
-                                                                let _e1805 = select(_e1783, _e1782, (_e1782 > _e1783));
-                                                                let _e1807 = select(_e1787, _e1786, (_e1786 > _e1787));
-                                                                let _e1809 = select(_e1807, _e1805, (_e1805 < _e1807));
-                                                                let _e1811 = select(_e1795, _e1809, (_e1809 < _e1795));
-                                                                let _e1812 = -(_e1793);
-                                                                let _e1818 = select(_e619, _e1803, (_e1803 > _e619));
-                                                                if (_e1818 > (_e1811 + (select(_e1812, _e1795, (_e1795 > _e1812)) * 0.0000019073523f))) {
+                                                                let _e1273 = select(_e1173[1][0], _e1173[0][0], (_e1173[0][0] < _e1173[1][0]));
+                                                                let _e1277 = select(_e1173[1][0], _e1173[0][0], (_e1173[0][0] > _e1173[1][0]));
+                                                                let _e1281 = select(_e1173[1][1], _e1173[0][1], (_e1173[0][1] < _e1173[1][1]));
+                                                                let _e1285 = select(_e1173[1][1], _e1173[0][1], (_e1173[0][1] > _e1173[1][1]));
+                                                                let _e1289 = select(_e1173[1][2], _e1173[0][2], (_e1173[0][2] < _e1173[1][2]));
+                                                                let _e1293 = select(_e1173[1][2], _e1173[0][2], (_e1173[0][2] > _e1173[1][2]));
+                                                                let _e1298 = ((select(_e1173[2][0], _e1273, (_e1273 < _e1173[2][0])) - _e366) * _e371);
+                                                                let _e1299 = ((select(_e1173[2][0], _e1277, (_e1277 > _e1173[2][0])) - _e367) * _e371);
+                                                                let _e1302 = ((select(_e1173[2][1], _e1281, (_e1281 < _e1173[2][1])) - _e434) * _e439);
+                                                                let _e1303 = ((select(_e1173[2][1], _e1285, (_e1285 > _e1173[2][1])) - _e435) * _e439);
+                                                                let _e1306 = ((select(_e1173[2][2], _e1289, (_e1289 < _e1173[2][2])) - _e502) * _e507);
+                                                                let _e1307 = ((select(_e1173[2][2], _e1293, (_e1293 > _e1173[2][2])) - _e503) * _e507);
+                                                                let _e1309 = select(_e1307, _e1306, (_e1306 < _e1307));
+                                                                let _e1311 = select(_e1307, _e1306, (_e1306 > _e1307));
+                                                                let _e1313 = select(_e1299, _e1298, (_e1298 < _e1299));
+                                                                let _e1315 = select(_e1303, _e1302, (_e1302 < _e1303));
+                                                                let _e1317 = select(_e1315, _e1313, (_e1313 > _e1315));
+                                                                let _e1319 = select(_e1309, _e1317, (_e1317 > _e1309));
+                                                                let _e1321 = select(_e1299, _e1298, (_e1298 > _e1299));
+                                                                let _e1323 = select(_e1303, _e1302, (_e1302 > _e1303));
+                                                                let _e1325 = select(_e1323, _e1321, (_e1321 < _e1323));
+                                                                let _e1327 = select(_e1311, _e1325, (_e1325 < _e1311));
+                                                                let _e1328 = -(_e1309);
+                                                                let _e1334 = select(_e619, _e1319, (_e1319 > _e619));
+                                                                if (_e1334 > (_e1327 + (select(_e1328, _e1311, (_e1311 > _e1328)) * 0.0000019073523f))) {
                                                                     phi_2862_ = type_24();
                                                                     phi_2863_ = true;
                                                                 } else {
-                                                                    let _e1820 = (_e1818 > _e1204.member.member_1);
-                                                                    if _e1820 {
+                                                                    let _e1336 = (_e1334 > _e720.member.member_1);
+                                                                    if _e1336 {
                                                                         phi_2861_ = type_24();
                                                                     } else {
-                                                                        let _e1821 = vec3<f32>(_e1657[0][0], _e1657[0][1], _e1657[0][2]);
-                                                                        let _e1822 = vec3<f32>(_e1657[1][0], _e1657[1][1], _e1657[1][2]);
-                                                                        let _e1823 = vec3<f32>(_e1657[2][0], _e1657[2][1], _e1657[2][2]);
-                                                                        let _e1824 = (_e1657[1][0] - _e1657[0][0]);
-                                                                        let _e1825 = (_e1657[1][1] - _e1657[0][1]);
-                                                                        let _e1826 = (_e1657[1][2] - _e1657[0][2]);
-                                                                        let _e1827 = vec3<f32>(_e1824, _e1825, _e1826);
-                                                                        let _e1828 = (_e1657[2][0] - _e1657[1][0]);
-                                                                        let _e1829 = (_e1657[2][1] - _e1657[1][1]);
-                                                                        let _e1830 = (_e1657[2][2] - _e1657[1][2]);
-                                                                        let _e1831 = vec3<f32>(_e1828, _e1829, _e1830);
-                                                                        let _e1832 = (_e1657[0][0] - _e1657[2][0]);
-                                                                        let _e1833 = (_e1657[0][1] - _e1657[2][1]);
-                                                                        let _e1834 = (_e1657[0][2] - _e1657[2][2]);
-                                                                        let _e1835 = vec3<f32>(_e1832, _e1833, _e1834);
-                                                                        let _e1838 = bitcast<f32>((bitcast<u32>(_e1824) & 2147483647u));
-                                                                        let _e1841 = bitcast<f32>((bitcast<u32>(_e1825) & 2147483647u));
-                                                                        let _e1843 = select(_e1841, _e1838, (_e1838 > _e1841));
-                                                                        let _e1846 = bitcast<f32>((bitcast<u32>(_e1826) & 2147483647u));
-                                                                        let _e1848 = select(_e1846, _e1843, (_e1843 > _e1846));
-                                                                        let _e1851 = bitcast<f32>((bitcast<u32>(_e1828) & 2147483647u));
-                                                                        let _e1854 = bitcast<f32>((bitcast<u32>(_e1829) & 2147483647u));
-                                                                        let _e1856 = select(_e1854, _e1851, (_e1851 > _e1854));
-                                                                        let _e1859 = bitcast<f32>((bitcast<u32>(_e1830) & 2147483647u));
-                                                                        let _e1861 = select(_e1859, _e1856, (_e1856 > _e1859));
-                                                                        let _e1864 = bitcast<f32>((bitcast<u32>(_e1832) & 2147483647u));
-                                                                        let _e1867 = bitcast<f32>((bitcast<u32>(_e1833) & 2147483647u));
-                                                                        let _e1869 = select(_e1867, _e1864, (_e1864 > _e1867));
-                                                                        let _e1872 = bitcast<f32>((bitcast<u32>(_e1834) & 2147483647u));
-                                                                        let _e1874 = select(_e1872, _e1869, (_e1869 > _e1872));
-                                                                        let _e1876 = select(_e1861, _e1848, (_e1848 > _e1861));
-                                                                        let _e1878 = select(_e1874, _e1876, (_e1876 > _e1874));
-                                                                        if (_e1848 == _e1878) {
-                                                                            phi_2588_ = _e1685;
-                                                                            phi_2589_ = _e1682;
-                                                                            phi_2590_ = _e1672;
-                                                                            phi_2591_ = _e1669;
-                                                                            phi_2592_ = _e1821;
-                                                                            phi_2593_ = _e1835;
-                                                                            phi_2594_ = _e1831;
-                                                                            phi_2595_ = _e1827;
+                                                                        let _e1337 = vec3<f32>(_e1173[0][0], _e1173[0][1], _e1173[0][2]);
+                                                                        let _e1338 = vec3<f32>(_e1173[1][0], _e1173[1][1], _e1173[1][2]);
+                                                                        let _e1339 = vec3<f32>(_e1173[2][0], _e1173[2][1], _e1173[2][2]);
+                                                                        let _e1340 = (_e1173[1][0] - _e1173[0][0]);
+                                                                        let _e1341 = (_e1173[1][1] - _e1173[0][1]);
+                                                                        let _e1342 = (_e1173[1][2] - _e1173[0][2]);
+                                                                        let _e1343 = vec3<f32>(_e1340, _e1341, _e1342);
+                                                                        let _e1344 = (_e1173[2][0] - _e1173[1][0]);
+                                                                        let _e1345 = (_e1173[2][1] - _e1173[1][1]);
+                                                                        let _e1346 = (_e1173[2][2] - _e1173[1][2]);
+                                                                        let _e1347 = vec3<f32>(_e1344, _e1345, _e1346);
+                                                                        let _e1348 = (_e1173[0][0] - _e1173[2][0]);
+                                                                        let _e1349 = (_e1173[0][1] - _e1173[2][1]);
+                                                                        let _e1350 = (_e1173[0][2] - _e1173[2][2]);
+                                                                        let _e1351 = vec3<f32>(_e1348, _e1349, _e1350);
+                                                                        let _e1354 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
+                                                                        let _e1357 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
+                                                                        let _e1359 = select(_e1357, _e1354, (_e1354 > _e1357));
+                                                                        let _e1362 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
+                                                                        let _e1364 = select(_e1362, _e1359, (_e1359 > _e1362));
+                                                                        let _e1367 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
+                                                                        let _e1370 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
+                                                                        let _e1372 = select(_e1370, _e1367, (_e1367 > _e1370));
+                                                                        let _e1375 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
+                                                                        let _e1377 = select(_e1375, _e1372, (_e1372 > _e1375));
+                                                                        let _e1380 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
+                                                                        let _e1383 = bitcast<f32>((bitcast<u32>(_e1349) & 2147483647u));
+                                                                        let _e1385 = select(_e1383, _e1380, (_e1380 > _e1383));
+                                                                        let _e1388 = bitcast<f32>((bitcast<u32>(_e1350) & 2147483647u));
+                                                                        let _e1390 = select(_e1388, _e1385, (_e1385 > _e1388));
+                                                                        let _e1392 = select(_e1377, _e1364, (_e1364 > _e1377));
+                                                                        let _e1394 = select(_e1390, _e1392, (_e1392 > _e1390));
+                                                                        if (_e1364 == _e1394) {
+                                                                            phi_2588_ = _e1201;
+                                                                            phi_2589_ = _e1198;
+                                                                            phi_2590_ = _e1188;
+                                                                            phi_2591_ = _e1185;
+                                                                            phi_2592_ = _e1337;
+                                                                            phi_2593_ = _e1351;
+                                                                            phi_2594_ = _e1347;
+                                                                            phi_2595_ = _e1343;
                                                                         } else {
-                                                                            let _e1880 = (_e1861 == _e1878);
-                                                                            let _e1885 = vec3(_e1880);
-                                                                            phi_2588_ = select(_e1672, _e1698, _e1880);
-                                                                            phi_2589_ = select(_e1669, _e1695, _e1880);
-                                                                            phi_2590_ = select(_e1698, _e1685, _e1880);
-                                                                            phi_2591_ = select(_e1695, _e1682, _e1880);
-                                                                            phi_2592_ = select(_e1823, _e1822, _e1885);
-                                                                            phi_2593_ = select(_e1831, _e1827, _e1885);
-                                                                            phi_2594_ = select(_e1827, _e1835, _e1885);
-                                                                            phi_2595_ = select(_e1835, _e1831, _e1885);
+                                                                            let _e1396 = (_e1377 == _e1394);
+                                                                            let _e1401 = vec3(_e1396);
+                                                                            phi_2588_ = select(_e1188, _e1214, _e1396);
+                                                                            phi_2589_ = select(_e1185, _e1211, _e1396);
+                                                                            phi_2590_ = select(_e1214, _e1201, _e1396);
+                                                                            phi_2591_ = select(_e1211, _e1198, _e1396);
+                                                                            phi_2592_ = select(_e1339, _e1338, _e1401);
+                                                                            phi_2593_ = select(_e1347, _e1343, _e1401);
+                                                                            phi_2594_ = select(_e1343, _e1351, _e1401);
+                                                                            phi_2595_ = select(_e1351, _e1347, _e1401);
                                                                         }
-                                                                        let _e1891 = phi_2588_;
-                                                                        let _e1893 = phi_2589_;
-                                                                        let _e1895 = phi_2590_;
-                                                                        let _e1897 = phi_2591_;
-                                                                        let _e1899 = phi_2592_;
-                                                                        let _e1901 = phi_2593_;
-                                                                        let _e1903 = phi_2594_;
-                                                                        let _e1905 = phi_2595_;
-                                                                        let _e1912 = ((_e1903.y * _e1901.z) - (_e1901.y * _e1903.z));
-                                                                        let _e1917 = ((_e1903.z * _e1901.x) - (_e1901.z * _e1903.x));
-                                                                        let _e1920 = ((_e1903.x * _e1901.y) - (_e1901.x * _e1903.y));
-                                                                        if (_e1720 >= _e1724) {
-                                                                            phi_2632_ = select(true, false, (_e1720 >= _e1728));
+                                                                        let _e1407 = phi_2588_;
+                                                                        let _e1409 = phi_2589_;
+                                                                        let _e1411 = phi_2590_;
+                                                                        let _e1413 = phi_2591_;
+                                                                        let _e1415 = phi_2592_;
+                                                                        let _e1417 = phi_2593_;
+                                                                        let _e1419 = phi_2594_;
+                                                                        let _e1421 = phi_2595_;
+                                                                        let _e1428 = ((_e1419.y * _e1417.z) - (_e1417.y * _e1419.z));
+                                                                        let _e1433 = ((_e1419.z * _e1417.x) - (_e1417.z * _e1419.x));
+                                                                        let _e1436 = ((_e1419.x * _e1417.y) - (_e1417.x * _e1419.y));
+                                                                        if (_e1236 >= _e1240) {
+                                                                            phi_2632_ = select(true, false, (_e1236 >= _e1244));
                                                                         } else {
                                                                             phi_2632_ = true;
                                                                         }
-                                                                        let _e1925 = phi_2632_;
-                                                                        if _e1925 {
-                                                                            phi_2641_ = select(_e1823, _e1822, vec3((_e1724 >= _e1728)));
+                                                                        let _e1441 = phi_2632_;
+                                                                        if _e1441 {
+                                                                            phi_2641_ = select(_e1339, _e1338, vec3((_e1240 >= _e1244)));
                                                                         } else {
-                                                                            phi_2641_ = _e1821;
+                                                                            phi_2641_ = _e1337;
                                                                         }
-                                                                        let _e1930 = phi_2641_;
-                                                                        let _e1941 = (((_e1912 * (_e1930.x - _e328)) + (_e1917 * (_e1930.y - _e397))) + (_e1920 * (_e1930.z - _e465)));
-                                                                        let _e1946 = (((_e1912 * _e368) + (_e1917 * _e436)) + (_e1920 * _e504));
-                                                                        let _e1947 = (_e1893 - _e1897);
-                                                                        let _e1948 = (_e1891 - _e1895);
-                                                                        let _e1956 = (-(((_e1897 * _e1947) + (_e1895 * _e1948))) / ((_e1947 * _e1947) + (_e1948 * _e1948)));
-                                                                        let _e1958 = select(1f, _e1956, (_e1956 < 1f));
-                                                                        let _e1960 = select(0f, _e1958, (_e1958 > 0f));
-                                                                        let _e1973 = ((_e1899.x + (_e1905.x * _e1960)) - _e328);
-                                                                        let _e1974 = ((_e1899.y + (_e1905.y * _e1960)) - _e397);
-                                                                        let _e1975 = ((_e1899.z + (_e1905.z * _e1960)) - _e465);
-                                                                        let _e1976 = (_e1975 / _e504);
-                                                                        let _e1988 = bitcast<f32>((bitcast<u32>(_e1973) & 2147483647u));
-                                                                        let _e1991 = bitcast<f32>((bitcast<u32>(_e1974) & 2147483647u));
-                                                                        let _e1993 = select(_e1991, _e1988, (_e1988 > _e1991));
-                                                                        let _e1996 = bitcast<f32>((bitcast<u32>(_e1975) & 2147483647u));
-                                                                        let _e1998 = select(_e1996, _e1993, (_e1993 > _e1996));
-                                                                        let _e2004 = bitcast<f32>((bitcast<u32>(_e1912) & 2147483647u));
-                                                                        let _e2007 = bitcast<f32>((bitcast<u32>(_e1917) & 2147483647u));
-                                                                        let _e2009 = select(_e2007, _e2004, (_e2004 > _e2007));
-                                                                        let _e2012 = bitcast<f32>((bitcast<u32>(_e1920) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1912 * _e1973) + (_e1917 * _e1974)) + (_e1920 * _e1975)) - _e1941)) & 2147483647u)) <= ((0.0000009536743f * select(_e1878, _e1998, (_e1998 > _e1878))) * select(_e2012, _e2009, (_e2009 > _e2012)))) {
-                                                                            let _e2022 = bitcast<f32>((bitcast<u32>(_e1903.x) & 2147483647u));
-                                                                            let _e2025 = bitcast<f32>((bitcast<u32>(_e1903.y) & 2147483647u));
-                                                                            let _e2027 = select(_e2025, _e2022, (_e2022 > _e2025));
-                                                                            let _e2030 = bitcast<f32>((bitcast<u32>(_e1903.z) & 2147483647u));
-                                                                            let _e2036 = bitcast<f32>((bitcast<u32>(_e1901.x) & 2147483647u));
-                                                                            let _e2039 = bitcast<f32>((bitcast<u32>(_e1901.y) & 2147483647u));
-                                                                            let _e2041 = select(_e2039, _e2036, (_e2036 > _e2039));
-                                                                            let _e2044 = bitcast<f32>((bitcast<u32>(_e1901.z) & 2147483647u));
-                                                                            let _e2048 = (bitcast<f32>((bitcast<u32>(_e1946) & 2147483647u)) > ((0.0000038146973f * select(_e2030, _e2027, (_e2027 > _e2030))) * select(_e2044, _e2041, (_e2041 > _e2044))));
-                                                                            if _e2048 {
-                                                                                phi_2806_ = (_e1941 / _e1946);
+                                                                        let _e1446 = phi_2641_;
+                                                                        let _e1457 = (((_e1428 * (_e1446.x - _e328)) + (_e1433 * (_e1446.y - _e397))) + (_e1436 * (_e1446.z - _e465)));
+                                                                        let _e1462 = (((_e1428 * _e368) + (_e1433 * _e436)) + (_e1436 * _e504));
+                                                                        let _e1463 = (_e1409 - _e1413);
+                                                                        let _e1464 = (_e1407 - _e1411);
+                                                                        let _e1472 = (-(((_e1413 * _e1463) + (_e1411 * _e1464))) / ((_e1463 * _e1463) + (_e1464 * _e1464)));
+                                                                        let _e1474 = select(1f, _e1472, (_e1472 < 1f));
+                                                                        let _e1476 = select(0f, _e1474, (_e1474 > 0f));
+                                                                        let _e1489 = ((_e1415.x + (_e1421.x * _e1476)) - _e328);
+                                                                        let _e1490 = ((_e1415.y + (_e1421.y * _e1476)) - _e397);
+                                                                        let _e1491 = ((_e1415.z + (_e1421.z * _e1476)) - _e465);
+                                                                        let _e1492 = (_e1491 / _e504);
+                                                                        let _e1504 = bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u));
+                                                                        let _e1507 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
+                                                                        let _e1509 = select(_e1507, _e1504, (_e1504 > _e1507));
+                                                                        let _e1512 = bitcast<f32>((bitcast<u32>(_e1491) & 2147483647u));
+                                                                        let _e1514 = select(_e1512, _e1509, (_e1509 > _e1512));
+                                                                        let _e1520 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
+                                                                        let _e1523 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
+                                                                        let _e1525 = select(_e1523, _e1520, (_e1520 > _e1523));
+                                                                        let _e1528 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1428 * _e1489) + (_e1433 * _e1490)) + (_e1436 * _e1491)) - _e1457)) & 2147483647u)) <= ((0.0000009536743f * select(_e1394, _e1514, (_e1514 > _e1394))) * select(_e1528, _e1525, (_e1525 > _e1528)))) {
+                                                                            let _e1538 = bitcast<f32>((bitcast<u32>(_e1419.x) & 2147483647u));
+                                                                            let _e1541 = bitcast<f32>((bitcast<u32>(_e1419.y) & 2147483647u));
+                                                                            let _e1543 = select(_e1541, _e1538, (_e1538 > _e1541));
+                                                                            let _e1546 = bitcast<f32>((bitcast<u32>(_e1419.z) & 2147483647u));
+                                                                            let _e1552 = bitcast<f32>((bitcast<u32>(_e1417.x) & 2147483647u));
+                                                                            let _e1555 = bitcast<f32>((bitcast<u32>(_e1417.y) & 2147483647u));
+                                                                            let _e1557 = select(_e1555, _e1552, (_e1552 > _e1555));
+                                                                            let _e1560 = bitcast<f32>((bitcast<u32>(_e1417.z) & 2147483647u));
+                                                                            let _e1564 = (bitcast<f32>((bitcast<u32>(_e1462) & 2147483647u)) > ((0.0000038146973f * select(_e1546, _e1543, (_e1543 > _e1546))) * select(_e1560, _e1557, (_e1557 > _e1560))));
+                                                                            if _e1564 {
+                                                                                phi_2806_ = (_e1457 / _e1462);
                                                                             } else {
                                                                                 phi_2806_ = f32();
                                                                             }
-                                                                            let _e2051 = phi_2806_;
-                                                                            phi_2808_ = _e2051;
-                                                                            phi_2809_ = select(true, false, _e2048);
+                                                                            let _e1567 = phi_2806_;
+                                                                            phi_2808_ = _e1567;
+                                                                            phi_2809_ = select(true, false, _e1564);
                                                                         } else {
                                                                             phi_2808_ = f32();
                                                                             phi_2809_ = true;
                                                                         }
-                                                                        let _e2054 = phi_2808_;
-                                                                        let _e2056 = phi_2809_;
-                                                                        if _e2056 {
-                                                                            let _e2064 = (((_e1912 * (_e1973 - (_e368 * _e1976))) + (_e1917 * (_e1974 - (_e436 * _e1976)))) / _e1946);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e2064) & 2147483647u)) <= _e1878) {
-                                                                                phi_2829_ = (_e1976 + _e2064);
+                                                                        let _e1570 = phi_2808_;
+                                                                        let _e1572 = phi_2809_;
+                                                                        if _e1572 {
+                                                                            let _e1580 = (((_e1428 * (_e1489 - (_e368 * _e1492))) + (_e1433 * (_e1490 - (_e436 * _e1492)))) / _e1462);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u)) <= _e1394) {
+                                                                                phi_2829_ = (_e1492 + _e1580);
                                                                             } else {
-                                                                                phi_2829_ = _e1976;
+                                                                                phi_2829_ = _e1492;
                                                                             }
-                                                                            let _e2071 = phi_2829_;
-                                                                            phi_2830_ = _e2071;
+                                                                            let _e1587 = phi_2829_;
+                                                                            phi_2830_ = _e1587;
                                                                         } else {
-                                                                            phi_2830_ = _e2054;
+                                                                            phi_2830_ = _e1570;
                                                                         }
-                                                                        let _e2073 = phi_2830_;
-                                                                        let _e2075 = select(_e1811, _e2073, (_e2073 < _e1811));
-                                                                        let _e2077 = select(_e1803, _e2075, (_e2075 > _e1803));
-                                                                        if (_e2077 >= _e619) {
-                                                                            let _e2079 = (_e2077 <= _e1204.member.member_1);
-                                                                            if _e2079 {
-                                                                                let _e2080 = (1f / _e1730);
-                                                                                phi_2853_ = type_24(_e2077, (_e1724 * _e2080), (_e1728 * _e2080), _e1270);
+                                                                        let _e1589 = phi_2830_;
+                                                                        let _e1591 = select(_e1327, _e1589, (_e1589 < _e1327));
+                                                                        let _e1593 = select(_e1319, _e1591, (_e1591 > _e1319));
+                                                                        if (_e1593 >= _e619) {
+                                                                            let _e1595 = (_e1593 <= _e720.member.member_1);
+                                                                            if _e1595 {
+                                                                                let _e1596 = (1f / _e1246);
+                                                                                phi_2853_ = type_24(_e1593, (_e1240 * _e1596), (_e1244 * _e1596), _e786);
                                                                             } else {
                                                                                 phi_2853_ = type_24();
                                                                             }
-                                                                            let _e2085 = phi_2853_;
-                                                                            phi_2855_ = _e2085;
-                                                                            phi_2856_ = select(true, false, _e2079);
+                                                                            let _e1601 = phi_2853_;
+                                                                            phi_2855_ = _e1601;
+                                                                            phi_2856_ = select(true, false, _e1595);
                                                                         } else {
                                                                             phi_2855_ = type_24();
                                                                             phi_2856_ = true;
                                                                         }
-                                                                        let _e2088 = phi_2855_;
-                                                                        let _e2090 = phi_2856_;
-                                                                        if _e2090 {
+                                                                        let _e1604 = phi_2855_;
+                                                                        let _e1606 = phi_2856_;
+                                                                        if _e1606 {
                                                                             phi_2860_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2860_ = _e2088;
+                                                                            phi_2860_ = _e1604;
                                                                         }
-                                                                        let _e2092 = phi_2860_;
-                                                                        phi_2861_ = _e2092;
+                                                                        let _e1608 = phi_2860_;
+                                                                        phi_2861_ = _e1608;
                                                                     }
-                                                                    let _e2094 = phi_2861_;
-                                                                    phi_2862_ = _e2094;
-                                                                    phi_2863_ = _e1820;
+                                                                    let _e1610 = phi_2861_;
+                                                                    phi_2862_ = _e1610;
+                                                                    phi_2863_ = _e1336;
                                                                 }
-                                                                let _e2096 = phi_2862_;
-                                                                let _e2098 = phi_2863_;
-                                                                phi_2867_ = _e2096;
-                                                                phi_2868_ = _e2098;
+                                                                let _e1612 = phi_2862_;
+                                                                let _e1614 = phi_2863_;
+                                                                phi_2867_ = _e1612;
+                                                                phi_2868_ = _e1614;
                                                             }
-                                                            let _e2100 = phi_2867_;
-                                                            let _e2102 = phi_2868_;
-                                                            phi_2869_ = _e2100;
-                                                            phi_2870_ = _e1755;
-                                                            phi_2871_ = _e2102;
+                                                            let _e1616 = phi_2867_;
+                                                            let _e1618 = phi_2868_;
+                                                            phi_2869_ = _e1616;
+                                                            phi_2870_ = _e1271;
+                                                            phi_2871_ = _e1618;
                                                         }
-                                                        let _e2104 = phi_2869_;
-                                                        let _e2106 = phi_2870_;
-                                                        let _e2108 = phi_2871_;
-                                                        phi_2872_ = _e2104;
-                                                        phi_2873_ = _e2106;
-                                                        phi_2874_ = _e2108;
+                                                        let _e1620 = phi_2869_;
+                                                        let _e1622 = phi_2870_;
+                                                        let _e1624 = phi_2871_;
+                                                        phi_2872_ = _e1620;
+                                                        phi_2873_ = _e1622;
+                                                        phi_2874_ = _e1624;
                                                     }
-                                                    let _e2110 = phi_2872_;
-                                                    let _e2112 = phi_2873_;
-                                                    let _e2114 = phi_2874_;
-                                                    phi_2882_ = _e2110;
-                                                    phi_2883_ = select(_e2114, true, _e2112);
+                                                    let _e1626 = phi_2872_;
+                                                    let _e1628 = phi_2873_;
+                                                    let _e1630 = phi_2874_;
+                                                    phi_2882_ = _e1626;
+                                                    phi_2883_ = select(_e1630, true, _e1628);
                                                 } else {
                                                     phi_2882_ = type_24();
                                                     phi_2883_ = true;
                                                 }
-                                                let _e2117 = phi_2882_;
-                                                let _e2119 = phi_2883_;
-                                                if _e2119 {
+                                                let _e1633 = phi_2882_;
+                                                let _e1635 = phi_2883_;
+                                                if _e1635 {
                                                     phi_2887_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2887_ = _e2117;
+                                                    phi_2887_ = _e1633;
                                                 }
-                                                let _e2121 = phi_2887_;
-                                                if (_e2121.member_3 != 4294967295u) {
-                                                    if (_e1270 != 4294967295u) {
-                                                        if (_e2121.member < _e1204.member.member.member) {
+                                                let _e1637 = phi_2887_;
+                                                if (_e1637.member_3 != 4294967295u) {
+                                                    if (_e786 != 4294967295u) {
+                                                        if (_e1637.member < _e720.member.member.member) {
                                                             phi_2913_ = true;
                                                         } else {
-                                                            if (_e2121.member == _e1204.member.member.member) {
-                                                                phi_2912_ = (_e2121.member_3 < _e1204.member.member.member_3);
+                                                            if (_e1637.member == _e720.member.member.member) {
+                                                                phi_2912_ = (_e1637.member_3 < _e720.member.member.member_3);
                                                             } else {
                                                                 phi_2912_ = false;
                                                             }
-                                                            let _e2136 = phi_2912_;
-                                                            phi_2913_ = _e2136;
+                                                            let _e1652 = phi_2912_;
+                                                            phi_2913_ = _e1652;
                                                         }
-                                                        let _e2138 = phi_2913_;
-                                                        if _e2138 {
-                                                            phi_2920_ = type_39(type_33(_e2121, _e2121.member), _e1231.member_1, _e1231.member_2);
+                                                        let _e1654 = phi_2913_;
+                                                        if _e1654 {
+                                                            phi_2920_ = type_39(type_33(_e1637, _e1637.member), _e747.member_1, _e747.member_2);
                                                         } else {
-                                                            phi_2920_ = _e1231;
+                                                            phi_2920_ = _e747;
                                                         }
-                                                        let _e2145 = phi_2920_;
-                                                        phi_2921_ = _e2145;
+                                                        let _e1661 = phi_2920_;
+                                                        phi_2921_ = _e1661;
                                                     } else {
-                                                        phi_2921_ = _e1231;
+                                                        phi_2921_ = _e747;
                                                     }
-                                                    let _e2147 = phi_2921_;
-                                                    phi_2922_ = _e2147;
+                                                    let _e1663 = phi_2921_;
+                                                    phi_2922_ = _e1663;
                                                 } else {
-                                                    phi_2922_ = _e1231;
+                                                    phi_2922_ = _e747;
                                                 }
-                                                let _e2149 = phi_2922_;
-                                                phi_1222_ = _e2149;
+                                                let _e1665 = phi_2922_;
+                                                phi_1222_ = _e1665;
                                             } else {
                                                 phi_1222_ = type_39();
                                             }
-                                            let _e2151 = phi_1222_;
+                                            let _e1667 = phi_1222_;
                                             continue;
                                             continuing {
-                                                phi_1221_ = _e2151;
-                                                phi_1224_ = _e1219;
-                                                phi_4425_ = _e662;
-                                                break if !(_e1225);
+                                                phi_1221_ = _e1667;
+                                                phi_1224_ = _e735;
+                                                phi_4431_ = _e662;
+                                                break if !(_e741);
                                             }
                                         }
-                                        let _e2154 = phi_4425_;
-                                        phi_4632_ = _e2154;
-                                        if _e2154 {
+                                        let _e1670 = phi_4431_;
+                                        phi_4638_ = _e1670;
+                                        if _e1670 {
                                             break;
                                         }
-                                        phi_4636_ = _e2154;
-                                        let _e2366 = local_12;
-                                        phi_4197_ = _e2366;
-                                        phi_4198_ = false;
-                                        phi_4199_ = _e706;
-                                        phi_4200_ = _e708;
+                                        phi_4729_ = _e1670;
+                                        let _e2353 = local_12;
+                                        phi_2923_ = _e2353;
+                                    } else {
+                                        phi_4729_ = _e662;
+                                        phi_2923_ = _e664;
+                                    }
+                                    let _e1672 = phi_4729_;
+                                    let _e1674 = phi_2923_;
+                                    if _e712 {
+                                        phi_4192_ = type_39();
+                                        phi_4193_ = bool();
+                                        phi_4194_ = u32();
+                                        phi_4195_ = type_50();
                                     } else {
                                         if (_e708.member_1 >= _e93) {
-                                            phi_3728_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3724_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e708.member_1 < _e93) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e720 = (_e264 * 2u);
-                                            let _e722 = ((1u + _e720) % 7u);
-                                            if (_e722 < 7u) {
+                                            let _e1677 = (_e264 * 2u);
+                                            let _e1679 = ((1u + _e1677) % 7u);
+                                            if (_e1679 < 7u) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e727 = global_4.member[_e708.member_1][_e722];
-                                            let _e729 = ((_e720 + 2u) % 7u);
-                                            if (_e729 < 7u) {
+                                            let _e1684 = global_4.member[_e708.member_1][_e1679];
+                                            let _e1686 = ((_e1677 + 2u) % 7u);
+                                            if (_e1686 < 7u) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e734 = global_4.member[_e708.member_1][_e729];
-                                            let _e735 = (_e263 * 2u);
-                                            let _e737 = ((1u + _e735) % 7u);
-                                            if (_e737 < 7u) {
+                                            let _e1691 = global_4.member[_e708.member_1][_e1686];
+                                            let _e1692 = (_e263 * 2u);
+                                            let _e1694 = ((1u + _e1692) % 7u);
+                                            if (_e1694 < 7u) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e742 = global_4.member[_e708.member_1][_e737];
-                                            let _e744 = ((_e735 + 2u) % 7u);
-                                            if (_e744 < 7u) {
+                                            let _e1699 = global_4.member[_e708.member_1][_e1694];
+                                            let _e1701 = ((_e1692 + 2u) % 7u);
+                                            if (_e1701 < 7u) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e749 = global_4.member[_e708.member_1][_e744];
-                                            let _e750 = (_e265 * 2u);
-                                            let _e752 = ((1u + _e750) % 7u);
-                                            if (_e752 < 7u) {
+                                            let _e1706 = global_4.member[_e708.member_1][_e1701];
+                                            let _e1707 = (_e265 * 2u);
+                                            let _e1709 = ((1u + _e1707) % 7u);
+                                            if (_e1709 < 7u) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e757 = global_4.member[_e708.member_1][_e752];
-                                            let _e759 = ((_e750 + 2u) % 7u);
-                                            if (_e759 < 7u) {
+                                            let _e1714 = global_4.member[_e708.member_1][_e1709];
+                                            let _e1716 = ((_e1707 + 2u) % 7u);
+                                            if (_e1716 < 7u) {
                                             } else {
-                                                phi_4632_ = true;
+                                                phi_4638_ = true;
                                                 break;
                                             }
-                                            let _e764 = global_4.member[_e708.member_1][_e759];
-                                            let _e787 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.x - _e708.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e788 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.y - _e708.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e789 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.z - _e708.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e791 = select(_e144, _e787, (_e787 > _e144));
-                                            let _e793 = select(_e144, _e788, (_e788 > _e144));
-                                            let _e795 = select(_e144, _e789, (_e789 > _e144));
-                                            let _e826 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e727 & 2097151u))) - 8388608f) * _e791));
-                                            let _e831 = (bitcast<i32>((_e727 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e834 = bitcast<f32>((_e826 & bitcast<u32>(_e831)));
-                                            let _e835 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e742 & 2097151u))) - 8388608f) * _e793));
-                                            let _e840 = (bitcast<i32>((_e742 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e843 = bitcast<f32>((_e835 & bitcast<u32>(_e840)));
-                                            let _e844 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e757 & 2097151u))) - 8388608f) * _e795));
-                                            let _e849 = (bitcast<i32>((_e757 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e852 = bitcast<f32>((_e844 & bitcast<u32>(_e849)));
-                                            let _e856 = bitcast<f32>((_e826 & bitcast<u32>(~(_e831))));
-                                            let _e860 = bitcast<f32>((_e835 & bitcast<u32>(~(_e840))));
-                                            let _e864 = bitcast<f32>((_e844 & bitcast<u32>(~(_e849))));
-                                            let _e865 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e734 & 2097151u))) - 8388608f) * _e791));
-                                            let _e870 = (bitcast<i32>((_e734 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e873 = bitcast<f32>((_e865 & bitcast<u32>(_e870)));
-                                            let _e874 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e749 & 2097151u))) - 8388608f) * _e793));
-                                            let _e879 = (bitcast<i32>((_e749 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e882 = bitcast<f32>((_e874 & bitcast<u32>(_e879)));
-                                            let _e883 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e764 & 2097151u))) - 8388608f) * _e795));
-                                            let _e888 = (bitcast<i32>((_e764 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e891 = bitcast<f32>((_e883 & bitcast<u32>(_e888)));
-                                            let _e895 = bitcast<f32>((_e865 & bitcast<u32>(~(_e870))));
-                                            let _e899 = bitcast<f32>((_e874 & bitcast<u32>(~(_e879))));
-                                            let _e903 = bitcast<f32>((_e883 & bitcast<u32>(~(_e888))));
-                                            let _e904 = (_e708.member.member.x + _e834);
-                                            let _e905 = (_e708.member.member.y + _e843);
-                                            let _e906 = (_e708.member.member.z + _e852);
-                                            let _e909 = (_e708.member.member_1.x - _e873);
-                                            let _e910 = (_e708.member.member_1.y - _e882);
-                                            let _e911 = (_e708.member.member_1.z - _e891);
-                                            let _e930 = (_e909 - _e904);
-                                            let _e931 = (_e910 - _e905);
-                                            let _e932 = (_e911 - _e906);
-                                            let _e934 = select(_e931, _e930, (_e930 > _e931));
-                                            let _e936 = select(_e932, _e934, (_e934 > _e932));
-                                            if (_e936 < (1024f * _e144)) {
-                                                phi_3429_ = 0u;
+                                            let _e1721 = global_4.member[_e708.member_1][_e1716];
+                                            let _e1744 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.x - _e708.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1745 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.y - _e708.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1746 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.z - _e708.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1748 = select(_e144, _e1744, (_e1744 > _e144));
+                                            let _e1750 = select(_e144, _e1745, (_e1745 > _e144));
+                                            let _e1752 = select(_e144, _e1746, (_e1746 > _e144));
+                                            let _e1783 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1684 & 2097151u))) - 8388608f) * _e1748));
+                                            let _e1788 = (bitcast<i32>((_e1684 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1791 = bitcast<f32>((_e1783 & bitcast<u32>(_e1788)));
+                                            let _e1792 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1699 & 2097151u))) - 8388608f) * _e1750));
+                                            let _e1797 = (bitcast<i32>((_e1699 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1800 = bitcast<f32>((_e1792 & bitcast<u32>(_e1797)));
+                                            let _e1801 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1714 & 2097151u))) - 8388608f) * _e1752));
+                                            let _e1806 = (bitcast<i32>((_e1714 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1809 = bitcast<f32>((_e1801 & bitcast<u32>(_e1806)));
+                                            let _e1813 = bitcast<f32>((_e1783 & bitcast<u32>(~(_e1788))));
+                                            let _e1817 = bitcast<f32>((_e1792 & bitcast<u32>(~(_e1797))));
+                                            let _e1821 = bitcast<f32>((_e1801 & bitcast<u32>(~(_e1806))));
+                                            let _e1822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1691 & 2097151u))) - 8388608f) * _e1748));
+                                            let _e1827 = (bitcast<i32>((_e1691 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1830 = bitcast<f32>((_e1822 & bitcast<u32>(_e1827)));
+                                            let _e1831 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1706 & 2097151u))) - 8388608f) * _e1750));
+                                            let _e1836 = (bitcast<i32>((_e1706 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1839 = bitcast<f32>((_e1831 & bitcast<u32>(_e1836)));
+                                            let _e1840 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1721 & 2097151u))) - 8388608f) * _e1752));
+                                            let _e1845 = (bitcast<i32>((_e1721 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1848 = bitcast<f32>((_e1840 & bitcast<u32>(_e1845)));
+                                            let _e1852 = bitcast<f32>((_e1822 & bitcast<u32>(~(_e1827))));
+                                            let _e1856 = bitcast<f32>((_e1831 & bitcast<u32>(~(_e1836))));
+                                            let _e1860 = bitcast<f32>((_e1840 & bitcast<u32>(~(_e1845))));
+                                            let _e1861 = (_e708.member.member.x + _e1791);
+                                            let _e1862 = (_e708.member.member.y + _e1800);
+                                            let _e1863 = (_e708.member.member.z + _e1809);
+                                            let _e1866 = (_e708.member.member_1.x - _e1830);
+                                            let _e1867 = (_e708.member.member_1.y - _e1839);
+                                            let _e1868 = (_e708.member.member_1.z - _e1848);
+                                            let _e1887 = (_e1866 - _e1861);
+                                            let _e1888 = (_e1867 - _e1862);
+                                            let _e1889 = (_e1868 - _e1863);
+                                            let _e1891 = select(_e1888, _e1887, (_e1887 > _e1888));
+                                            let _e1893 = select(_e1889, _e1891, (_e1891 > _e1889));
+                                            if (_e1893 < (1024f * _e144)) {
+                                                phi_3425_ = 0u;
                                             } else {
-                                                phi_3429_ = select(2u, 1u, (_e936 < (2097152f * _e144)));
+                                                phi_3425_ = select(2u, 1u, (_e1893 < (2097152f * _e144)));
                                             }
-                                            let _e943 = phi_3429_;
-                                            switch bitcast<i32>(_e943) {
+                                            let _e1900 = phi_3425_;
+                                            switch bitcast<i32>(_e1900) {
                                                 case 0: {
-                                                    phi_3435_ = 1u;
+                                                    phi_3431_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3435_ = 2u;
+                                                    phi_3431_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3435_ = 3u;
+                                                    phi_3431_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3435_ = u32();
+                                                    phi_3431_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e946 = phi_3435_;
-                                            let _e952 = global_4.member[_e708.member_1][0u];
-                                            let _e956 = global_4.member[_e708.member_1][2u];
-                                            let _e960 = global_4.member[_e708.member_1][4u];
-                                            let _e964 = global_4.member[_e708.member_1][6u];
-                                            let _e976 = (((_e956 >> bitcast<u32>(22i)) | ((_e960 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e964 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e977 = (_e952 & 268435455u);
-                                            let _e978 = (_e976 & 268435455u);
-                                            let _e981 = ((_e952 >> bitcast<u32>(28u)) & 7u);
-                                            let _e989 = ((_e952 >> bitcast<u32>(31i)) | (((_e976 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e990 = (_e981 != 0u);
-                                            if (_e981 == 0u) {
-                                                phi_3690_ = _e977;
+                                            let _e1903 = phi_3431_;
+                                            let _e1909 = global_4.member[_e708.member_1][0u];
+                                            let _e1913 = global_4.member[_e708.member_1][2u];
+                                            let _e1917 = global_4.member[_e708.member_1][4u];
+                                            let _e1921 = global_4.member[_e708.member_1][6u];
+                                            let _e1933 = (((_e1913 >> bitcast<u32>(22i)) | ((_e1917 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1921 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1934 = (_e1909 & 268435455u);
+                                            let _e1935 = (_e1933 & 268435455u);
+                                            let _e1938 = ((_e1909 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1946 = ((_e1909 >> bitcast<u32>(31i)) | (((_e1933 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1947 = (_e1938 != 0u);
+                                            if (_e1938 == 0u) {
+                                                phi_3686_ = _e1934;
                                             } else {
-                                                if (_e981 == 7u) {
-                                                    phi_3689_ = 2147483648u;
+                                                if (_e1938 == 7u) {
+                                                    phi_3685_ = 2147483648u;
                                                 } else {
-                                                    phi_3689_ = ((2147483648u | (_e981 << bitcast<u32>(28u))) | (_e978 & 268435455u));
+                                                    phi_3685_ = ((2147483648u | (_e1938 << bitcast<u32>(28u))) | (_e1935 & 268435455u));
                                                 }
-                                                let _e999 = phi_3689_;
-                                                phi_3690_ = _e999;
+                                                let _e1956 = phi_3685_;
+                                                phi_3686_ = _e1956;
                                             }
-                                            let _e1001 = phi_3690_;
-                                            if _e990 {
-                                                let _e1002 = (_e981 != 7u);
-                                                if _e1002 {
-                                                    phi_3700_ = (_e978 + (_e981 * ((3u * _e946) + 1u)));
+                                            let _e1958 = phi_3686_;
+                                            if _e1947 {
+                                                let _e1959 = (_e1938 != 7u);
+                                                if _e1959 {
+                                                    phi_3696_ = (_e1935 + (_e1938 * ((3u * _e1903) + 1u)));
                                                 } else {
-                                                    phi_3700_ = u32();
+                                                    phi_3696_ = u32();
                                                 }
-                                                let _e1006 = phi_3700_;
-                                                phi_3702_ = _e1006;
-                                                phi_3703_ = select(true, false, _e1002);
+                                                let _e1963 = phi_3696_;
+                                                phi_3698_ = _e1963;
+                                                phi_3699_ = select(true, false, _e1959);
                                             } else {
-                                                phi_3702_ = u32();
-                                                phi_3703_ = true;
+                                                phi_3698_ = u32();
+                                                phi_3699_ = true;
                                             }
-                                            let _e1009 = phi_3702_;
-                                            let _e1011 = phi_3703_;
-                                            if (_e989 == 0u) {
-                                                phi_3724_ = (_e977 + select(0u, 1u, !(_e990)));
+                                            let _e1966 = phi_3698_;
+                                            let _e1968 = phi_3699_;
+                                            if (_e1946 == 0u) {
+                                                phi_3720_ = (_e1934 + select(0u, 1u, !(_e1947)));
                                             } else {
-                                                if (_e989 == 7u) {
-                                                    phi_3723_ = 2147483648u;
+                                                if (_e1946 == 7u) {
+                                                    phi_3719_ = 2147483648u;
                                                 } else {
-                                                    phi_3723_ = ((2147483648u | (_e989 << bitcast<u32>(28u))) | (select(_e1009, _e978, _e1011) & 268435455u));
+                                                    phi_3719_ = ((2147483648u | (_e1946 << bitcast<u32>(28u))) | (select(_e1966, _e1935, _e1968) & 268435455u));
                                                 }
-                                                let _e1024 = phi_3723_;
-                                                phi_3724_ = _e1024;
+                                                let _e1981 = phi_3719_;
+                                                phi_3720_ = _e1981;
                                             }
-                                            let _e1026 = phi_3724_;
-                                            phi_3728_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e904, (_e708.member.member.x + _e856), _e909, (_e708.member.member_1.x - _e895)), vec4<f32>(_e905, (_e708.member.member.y + _e860), _e910, (_e708.member.member_1.y - _e899)), vec4<f32>(_e906, (_e708.member.member.z + _e864), _e911, (_e708.member.member_1.z - _e903))), type_50(type_28((_e708.member.member + vec4<f32>(_e834, _e843, _e852, 0f)), (_e708.member.member_1 - vec4<f32>(_e873, _e882, _e891, 0f))), _e1001), type_50(type_28((_e708.member.member + vec4<f32>(_e856, _e860, _e864, 0f)), (_e708.member.member_1 - vec4<f32>(_e895, _e899, _e903, 0f))), _e1026));
+                                            let _e1983 = phi_3720_;
+                                            phi_3724_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e1861, (_e708.member.member.x + _e1813), _e1866, (_e708.member.member_1.x - _e1852)), vec4<f32>(_e1862, (_e708.member.member.y + _e1817), _e1867, (_e708.member.member_1.y - _e1856)), vec4<f32>(_e1863, (_e708.member.member.z + _e1821), _e1868, (_e708.member.member_1.z - _e1860))), type_50(type_28((_e708.member.member + vec4<f32>(_e1791, _e1800, _e1809, 0f)), (_e708.member.member_1 - vec4<f32>(_e1830, _e1839, _e1848, 0f))), _e1958), type_50(type_28((_e708.member.member + vec4<f32>(_e1813, _e1817, _e1821, 0f)), (_e708.member.member_1 - vec4<f32>(_e1852, _e1856, _e1860, 0f))), _e1983));
                                         }
-                                        let _e1031 = phi_3728_;
-                                        let _e1050 = ((_e1031.member[0].x - _e366) * _e371);
-                                        let _e1051 = ((_e1031.member[0].y - _e366) * _e371);
-                                        let _e1052 = ((_e1031.member[0].z - _e367) * _e371);
-                                        let _e1053 = ((_e1031.member[0].w - _e367) * _e371);
-                                        let _e1063 = ((_e1031.member[1].x - _e434) * _e439);
-                                        let _e1064 = ((_e1031.member[1].y - _e434) * _e439);
-                                        let _e1065 = ((_e1031.member[1].z - _e435) * _e439);
-                                        let _e1066 = ((_e1031.member[1].w - _e435) * _e439);
-                                        let _e1076 = ((_e1031.member[2].x - _e502) * _e507);
-                                        let _e1077 = ((_e1031.member[2].y - _e502) * _e507);
-                                        let _e1078 = ((_e1031.member[2].z - _e503) * _e507);
-                                        let _e1079 = ((_e1031.member[2].w - _e503) * _e507);
-                                        let _e1081 = select(_e1078, _e1076, (_e1076 < _e1078));
-                                        let _e1083 = select(_e1079, _e1077, (_e1077 < _e1079));
-                                        let _e1085 = select(_e1078, _e1076, (_e1076 > _e1078));
-                                        let _e1087 = select(_e1079, _e1077, (_e1077 > _e1079));
-                                        let _e1089 = select(_e1052, _e1050, (_e1050 < _e1052));
-                                        let _e1091 = select(_e1053, _e1051, (_e1051 < _e1053));
-                                        let _e1093 = select(_e1065, _e1063, (_e1063 < _e1065));
-                                        let _e1095 = select(_e1066, _e1064, (_e1064 < _e1066));
-                                        let _e1097 = select(_e1093, _e1089, (_e1089 > _e1093));
-                                        let _e1099 = select(_e1095, _e1091, (_e1091 > _e1095));
-                                        let _e1101 = select(_e1081, _e1097, (_e1097 > _e1081));
-                                        let _e1103 = select(_e1083, _e1099, (_e1099 > _e1083));
-                                        let _e1105 = select(_e1052, _e1050, (_e1050 > _e1052));
-                                        let _e1107 = select(_e1053, _e1051, (_e1051 > _e1053));
-                                        let _e1109 = select(_e1065, _e1063, (_e1063 > _e1065));
-                                        let _e1111 = select(_e1066, _e1064, (_e1064 > _e1066));
-                                        let _e1113 = select(_e1109, _e1105, (_e1105 < _e1109));
-                                        let _e1115 = select(_e1111, _e1107, (_e1107 < _e1111));
-                                        let _e1120 = -(_e1081);
-                                        let _e1121 = -(_e1083);
-                                        let _e1128 = (select(_e1085, _e1113, (_e1113 < _e1085)) + (select(_e1120, _e1085, (_e1085 > _e1120)) * 0.0000019073523f));
-                                        let _e1129 = (select(_e1087, _e1115, (_e1115 < _e1087)) + (select(_e1121, _e1087, (_e1087 > _e1121)) * 0.0000019073523f));
-                                        let _e1131 = select(_e619, _e1101, (_e1101 > _e619));
-                                        let _e1133 = select(_e619, _e1103, (_e1103 > _e619));
-                                        let _e1138 = (_e1131 <= select(_e664.member.member_1, _e1128, (_e1128 < _e664.member.member_1)));
-                                        let _e1139 = (_e1133 <= select(_e664.member.member_1, _e1129, (_e1129 < _e664.member.member_1)));
-                                        let _e1140 = (_e1131 <= _e1133);
-                                        if _e1138 {
-                                            if _e1139 {
-                                                if _e1140 {
-                                                    phi_4093_ = _e1031.member_2;
+                                        let _e1988 = phi_3724_;
+                                        let _e2007 = ((_e1988.member[0].x - _e366) * _e371);
+                                        let _e2008 = ((_e1988.member[0].y - _e366) * _e371);
+                                        let _e2009 = ((_e1988.member[0].z - _e367) * _e371);
+                                        let _e2010 = ((_e1988.member[0].w - _e367) * _e371);
+                                        let _e2020 = ((_e1988.member[1].x - _e434) * _e439);
+                                        let _e2021 = ((_e1988.member[1].y - _e434) * _e439);
+                                        let _e2022 = ((_e1988.member[1].z - _e435) * _e439);
+                                        let _e2023 = ((_e1988.member[1].w - _e435) * _e439);
+                                        let _e2033 = ((_e1988.member[2].x - _e502) * _e507);
+                                        let _e2034 = ((_e1988.member[2].y - _e502) * _e507);
+                                        let _e2035 = ((_e1988.member[2].z - _e503) * _e507);
+                                        let _e2036 = ((_e1988.member[2].w - _e503) * _e507);
+                                        let _e2038 = select(_e2035, _e2033, (_e2033 < _e2035));
+                                        let _e2040 = select(_e2036, _e2034, (_e2034 < _e2036));
+                                        let _e2042 = select(_e2035, _e2033, (_e2033 > _e2035));
+                                        let _e2044 = select(_e2036, _e2034, (_e2034 > _e2036));
+                                        let _e2046 = select(_e2009, _e2007, (_e2007 < _e2009));
+                                        let _e2048 = select(_e2010, _e2008, (_e2008 < _e2010));
+                                        let _e2050 = select(_e2022, _e2020, (_e2020 < _e2022));
+                                        let _e2052 = select(_e2023, _e2021, (_e2021 < _e2023));
+                                        let _e2054 = select(_e2050, _e2046, (_e2046 > _e2050));
+                                        let _e2056 = select(_e2052, _e2048, (_e2048 > _e2052));
+                                        let _e2058 = select(_e2038, _e2054, (_e2054 > _e2038));
+                                        let _e2060 = select(_e2040, _e2056, (_e2056 > _e2040));
+                                        let _e2062 = select(_e2009, _e2007, (_e2007 > _e2009));
+                                        let _e2064 = select(_e2010, _e2008, (_e2008 > _e2010));
+                                        let _e2066 = select(_e2022, _e2020, (_e2020 > _e2022));
+                                        let _e2068 = select(_e2023, _e2021, (_e2021 > _e2023));
+                                        let _e2070 = select(_e2066, _e2062, (_e2062 < _e2066));
+                                        let _e2072 = select(_e2068, _e2064, (_e2064 < _e2068));
+                                        let _e2077 = -(_e2038);
+                                        let _e2078 = -(_e2040);
+                                        let _e2085 = (select(_e2042, _e2070, (_e2070 < _e2042)) + (select(_e2077, _e2042, (_e2042 > _e2077)) * 0.0000019073523f));
+                                        let _e2086 = (select(_e2044, _e2072, (_e2072 < _e2044)) + (select(_e2078, _e2044, (_e2044 > _e2078)) * 0.0000019073523f));
+                                        let _e2088 = select(_e619, _e2058, (_e2058 > _e619));
+                                        let _e2090 = select(_e619, _e2060, (_e2060 > _e619));
+                                        let _e2095 = (_e2088 <= select(_e1674.member.member_1, _e2085, (_e2085 < _e1674.member.member_1)));
+                                        let _e2096 = (_e2090 <= select(_e1674.member.member_1, _e2086, (_e2086 < _e1674.member.member_1)));
+                                        let _e2097 = (_e2088 <= _e2090);
+                                        if _e2095 {
+                                            if _e2096 {
+                                                if _e2097 {
+                                                    phi_4089_ = _e1988.member_2;
                                                 } else {
-                                                    phi_4093_ = _e1031.member_1;
+                                                    phi_4089_ = _e1988.member_1;
                                                 }
-                                                let _e1144 = phi_4093_;
-                                                let _e1166 = (_e706 % 128u);
-                                                let _e1167 = (_e1166 < 128u);
-                                                if _e1167 {
+                                                let _e2101 = phi_4089_;
+                                                let _e2122 = (_e706 % 128u);
+                                                let _e2123 = (_e2122 < 128u);
+                                                if _e2123 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1166] = _e1144.member_1;
-                                                if _e1167 {
+                                                local_8[_e2122] = _e2101.member_1;
+                                                if _e2123 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1166] = _e1144.member.member.x;
-                                                if _e1167 {
+                                                local_7[_e2122] = _e2101.member.member.x;
+                                                if _e2123 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1166] = _e1144.member.member.y;
-                                                if _e1167 {
+                                                local_6[_e2122] = _e2101.member.member.y;
+                                                if _e2123 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1166] = _e1144.member.member.z;
-                                                if _e1167 {
+                                                local_5[_e2122] = _e2101.member.member.z;
+                                                if _e2123 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1166] = _e1144.member.member_1.x;
-                                                if _e1167 {
+                                                local_4[_e2122] = _e2101.member.member_1.x;
+                                                if _e2123 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1166] = _e1144.member.member_1.y;
-                                                if _e1167 {
+                                                local_3[_e2122] = _e2101.member.member_1.y;
+                                                if _e2123 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1166] = _e1144.member.member_1.z;
-                                                if _e1167 {
+                                                local_2[_e2122] = _e2101.member.member_1.z;
+                                                if _e2123 {
                                                 } else {
-                                                    phi_4632_ = true;
+                                                    phi_4638_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1166] = select(_e1133, _e1131, !(_e1140));
-                                                if _e1140 {
-                                                    phi_4170_ = _e1031.member_1;
+                                                local_9[_e2122] = select(_e2088, _e2090, _e2097);
+                                                if _e2097 {
+                                                    phi_4165_ = _e1988.member_1;
                                                 } else {
-                                                    phi_4170_ = _e1031.member_2;
+                                                    phi_4165_ = _e1988.member_2;
                                                 }
-                                                let _e1180 = phi_4170_;
-                                                phi_4171_ = (_e706 + 1u);
-                                                phi_4172_ = _e1180;
+                                                let _e2136 = phi_4165_;
+                                                phi_4166_ = (_e706 + 1u);
+                                                phi_4167_ = _e2136;
                                             } else {
-                                                phi_4171_ = u32();
-                                                phi_4172_ = type_50();
+                                                phi_4166_ = u32();
+                                                phi_4167_ = type_50();
                                             }
-                                            let _e1182 = phi_4171_;
-                                            let _e1184 = phi_4172_;
-                                            phi_4174_ = _e1182;
-                                            phi_4175_ = _e1184;
-                                            phi_4176_ = select(true, false, _e1139);
+                                            let _e2138 = phi_4166_;
+                                            let _e2140 = phi_4167_;
+                                            phi_4169_ = _e2138;
+                                            phi_4170_ = _e2140;
+                                            phi_4171_ = select(true, false, _e2096);
                                         } else {
-                                            phi_4174_ = u32();
-                                            phi_4175_ = type_50();
-                                            phi_4176_ = true;
+                                            phi_4169_ = u32();
+                                            phi_4170_ = type_50();
+                                            phi_4171_ = true;
                                         }
-                                        let _e1187 = phi_4174_;
-                                        let _e1189 = phi_4175_;
-                                        let _e1191 = phi_4176_;
-                                        if _e1191 {
-                                            if _e1138 {
-                                                phi_4185_ = _e1031.member_1;
+                                        let _e2143 = phi_4169_;
+                                        let _e2145 = phi_4170_;
+                                        let _e2147 = phi_4171_;
+                                        if _e2147 {
+                                            if _e2095 {
+                                                phi_4180_ = _e1988.member_1;
                                             } else {
-                                                phi_4185_ = _e1031.member_2;
+                                                phi_4180_ = _e1988.member_2;
                                             }
-                                            let _e1195 = phi_4185_;
-                                            phi_4190_ = select(_e1139, true, _e1138);
-                                            phi_4192_ = _e1195;
+                                            let _e2151 = phi_4180_;
+                                            phi_4185_ = select(_e2096, true, _e2095);
+                                            phi_4187_ = _e2151;
                                         } else {
-                                            phi_4190_ = _e704;
-                                            phi_4192_ = _e1189;
+                                            phi_4185_ = _e704;
+                                            phi_4187_ = _e2145;
                                         }
-                                        let _e1198 = phi_4190_;
-                                        let _e1200 = phi_4192_;
-                                        phi_4636_ = _e662;
-                                        phi_4197_ = type_39(_e664.member, (_e664.member_1 + 1u), _e664.member_2);
-                                        phi_4198_ = _e1198;
-                                        phi_4199_ = select(_e1187, _e706, _e1191);
-                                        phi_4200_ = _e1200;
+                                        let _e2154 = phi_4185_;
+                                        let _e2156 = phi_4187_;
+                                        phi_4192_ = type_39(_e1674.member, (_e1674.member_1 + 1u), _e1674.member_2);
+                                        phi_4193_ = _e2154;
+                                        phi_4194_ = select(_e2143, _e706, _e2147);
+                                        phi_4195_ = _e2156;
                                     }
-                                    let _e2156 = phi_4636_;
-                                    let _e2158 = phi_4197_;
-                                    let _e2160 = phi_4198_;
-                                    let _e2162 = phi_4199_;
-                                    let _e2164 = phi_4200_;
-                                    phi_4635_ = _e2156;
-                                    phi_4201_ = _e2158;
-                                    phi_4202_ = _e2160;
-                                    phi_4203_ = (_e668 - 1u);
-                                    phi_4204_ = _e2162;
-                                    phi_4205_ = _e2164;
+                                    let _e2159 = phi_4192_;
+                                    let _e2161 = phi_4193_;
+                                    let _e2163 = phi_4194_;
+                                    let _e2165 = phi_4195_;
+                                    if _e712 {
+                                        phi_4203_ = _e1674;
+                                        phi_4206_ = _e708;
+                                    } else {
+                                        phi_4203_ = _e2159;
+                                        phi_4206_ = _e2165;
+                                    }
+                                    let _e2167 = phi_4203_;
+                                    let _e2169 = phi_4206_;
+                                    phi_4641_ = _e1672;
+                                    phi_4207_ = _e2167;
+                                    phi_4208_ = (_e666 - 1u);
+                                    phi_4209_ = select(_e2161, false, _e712);
+                                    phi_4210_ = select(_e2163, _e706, _e712);
+                                    phi_4211_ = _e2169;
                                 } else {
-                                    phi_4635_ = _e662;
-                                    phi_4201_ = _e664;
-                                    phi_4202_ = _e704;
-                                    phi_4203_ = _e668;
-                                    phi_4204_ = _e706;
-                                    phi_4205_ = _e708;
+                                    phi_4641_ = _e662;
+                                    phi_4207_ = _e664;
+                                    phi_4208_ = _e666;
+                                    phi_4209_ = _e704;
+                                    phi_4210_ = _e706;
+                                    phi_4211_ = _e708;
                                 }
-                                let _e2166 = phi_4635_;
-                                let _e2168 = phi_4201_;
-                                let _e2170 = phi_4202_;
-                                let _e2172 = phi_4203_;
-                                let _e2174 = phi_4204_;
-                                let _e2176 = phi_4205_;
-                                phi_4634_ = _e2166;
-                                phi_4206_ = _e2168;
-                                phi_4207_ = _e2170;
-                                phi_4208_ = _e2172;
-                                phi_4209_ = _e2174;
-                                phi_4210_ = _e2176;
+                                let _e2173 = phi_4641_;
+                                let _e2175 = phi_4207_;
+                                let _e2177 = phi_4208_;
+                                let _e2179 = phi_4209_;
+                                let _e2181 = phi_4210_;
+                                let _e2183 = phi_4211_;
+                                phi_4640_ = _e2173;
+                                phi_4212_ = _e2175;
+                                phi_4213_ = _e2177;
+                                phi_4214_ = _e2179;
+                                phi_4215_ = _e2181;
+                                phi_4216_ = _e2183;
                             } else {
-                                phi_4634_ = _e662;
-                                phi_4206_ = type_39();
-                                phi_4207_ = bool();
-                                phi_4208_ = u32();
-                                phi_4209_ = u32();
-                                phi_4210_ = type_50();
+                                phi_4640_ = _e662;
+                                phi_4212_ = type_39();
+                                phi_4213_ = u32();
+                                phi_4214_ = bool();
+                                phi_4215_ = u32();
+                                phi_4216_ = type_50();
                             }
-                            let _e2178 = phi_4634_;
-                            let _e2180 = phi_4206_;
-                            let _e2182 = phi_4207_;
-                            let _e2184 = phi_4208_;
-                            let _e2186 = phi_4209_;
-                            let _e2188 = phi_4210_;
-                            phi_4633_ = _e2178;
-                            phi_1095_ = _e2180;
-                            phi_1098_ = _e2182;
-                            phi_1100_ = _e2184;
-                            phi_1102_ = _e2186;
-                            phi_1104_ = _e2188;
-                            phi_4211_ = _e676;
+                            let _e2185 = phi_4640_;
+                            let _e2187 = phi_4212_;
+                            let _e2189 = phi_4213_;
+                            let _e2191 = phi_4214_;
+                            let _e2193 = phi_4215_;
+                            let _e2195 = phi_4216_;
+                            phi_4639_ = _e2185;
+                            phi_1095_ = _e2187;
+                            phi_1098_ = _e2189;
+                            phi_1100_ = _e2191;
+                            phi_1102_ = _e2193;
+                            phi_1104_ = _e2195;
+                            phi_4217_ = _e676;
                         } else {
-                            phi_4633_ = _e662;
+                            phi_4639_ = _e662;
                             phi_1095_ = type_39();
-                            phi_1098_ = bool();
-                            phi_1100_ = u32();
+                            phi_1098_ = u32();
+                            phi_1100_ = bool();
                             phi_1102_ = u32();
                             phi_1104_ = type_50();
-                            phi_4211_ = false;
+                            phi_4217_ = false;
                         }
-                        let _e2190 = phi_4633_;
-                        let _e2192 = phi_1095_;
-                        let _e2194 = phi_1098_;
-                        let _e2196 = phi_1100_;
-                        let _e2198 = phi_1102_;
-                        let _e2200 = phi_1104_;
-                        let _e2202 = phi_4211_;
+                        let _e2197 = phi_4639_;
+                        let _e2199 = phi_1095_;
+                        let _e2201 = phi_1098_;
+                        let _e2203 = phi_1100_;
+                        let _e2205 = phi_1102_;
+                        let _e2207 = phi_1104_;
+                        let _e2209 = phi_4217_;
                         continue;
                         continuing {
-                            phi_4431_ = _e2190;
-                            phi_1094_ = _e2192;
-                            phi_1097_ = _e2194;
-                            phi_1099_ = _e2196;
-                            phi_1101_ = _e2198;
-                            phi_1103_ = _e2200;
-                            phi_4632_ = _e2190;
-                            break if !(_e2202);
+                            phi_4437_ = _e2197;
+                            phi_1094_ = _e2199;
+                            phi_1097_ = _e2201;
+                            phi_1099_ = _e2203;
+                            phi_1101_ = _e2205;
+                            phi_1103_ = _e2207;
+                            phi_4638_ = _e2197;
+                            break if !(_e2209);
                         }
                     }
-                    let _e2205 = phi_4632_;
-                    if _e2205 {
+                    let _e2212 = phi_4638_;
+                    if _e2212 {
                         break;
                     }
-                    let _e2207 = local_10;
-                    let _e2210 = local_11;
+                    let _e2214 = local_10;
+                    let _e2217 = local_11;
                     if _e152 {
                     } else {
                         break;
                     }
-                    global_6.member[_e150][0u] = _e2207.member_1;
-                    global_6.member[_e150][1u] = _e2210.member_2;
+                    global_6.member[_e150][0u] = _e2214.member_1;
+                    global_6.member[_e150][1u] = _e2217.member_2;
                 }
             }
             break;

@@ -107,134 +107,134 @@ fn function_() {
     var phi_956_: u32;
     var phi_964_: f32;
     var phi_965_: f32;
-    var phi_3054_: bool;
-    var phi_3035_: f32;
-    var phi_1035_: bool;
+    var phi_3055_: bool;
+    var phi_3036_: f32;
+    var phi_1033_: u32;
+    var phi_1036_: bool;
     var phi_1038_: u32;
     var phi_1040_: u32;
-    var phi_1042_: u32;
-    var phi_1053_: bool;
-    var phi_1086_: bool;
-    var phi_1087_: u32;
-    var phi_1088_: u32;
-    var phi_2313_: type_39;
-    var phi_2676_: u32;
-    var phi_2704_: u32;
-    var phi_2705_: u32;
-    var phi_2706_: u32;
-    var phi_2708_: u32;
-    var phi_2709_: u32;
-    var phi_2710_: bool;
-    var phi_2719_: u32;
-    var phi_2724_: bool;
-    var phi_2726_: u32;
-    var phi_3051_: bool;
+    var phi_1051_: bool;
+    var phi_1084_: bool;
+    var phi_1085_: u32;
+    var phi_1086_: u32;
+    var phi_3052_: bool;
     var phi_3041_: f32;
-    var phi_1103_: type_4;
-    var phi_1104_: type_4;
-    var phi_1127_: type_4;
-    var phi_1148_: u32;
-    var phi_1240_: array<array<f32, 3>, 3>;
-    var phi_1393_: bool;
-    var phi_1422_: bool;
+    var phi_1101_: type_4;
+    var phi_1102_: type_4;
+    var phi_1125_: type_4;
+    var phi_1146_: u32;
+    var phi_1238_: array<array<f32, 3>, 3>;
+    var phi_1391_: bool;
+    var phi_1420_: bool;
+    var phi_1839_: f32;
+    var phi_1840_: f32;
     var phi_1841_: f32;
     var phi_1842_: f32;
-    var phi_1843_: f32;
-    var phi_1844_: f32;
+    var phi_1843_: vec3<f32>;
+    var phi_1844_: vec3<f32>;
     var phi_1845_: vec3<f32>;
     var phi_1846_: vec3<f32>;
-    var phi_1847_: vec3<f32>;
-    var phi_1848_: vec3<f32>;
-    var phi_1885_: bool;
-    var phi_1894_: vec3<f32>;
+    var phi_1883_: bool;
+    var phi_1892_: vec3<f32>;
+    var phi_2057_: f32;
     var phi_2059_: f32;
-    var phi_2061_: f32;
-    var phi_2062_: bool;
-    var phi_2082_: f32;
-    var phi_2083_: f32;
+    var phi_2060_: bool;
+    var phi_2080_: f32;
+    var phi_2081_: f32;
+    var phi_2104_: type_23;
     var phi_2106_: type_23;
-    var phi_2108_: type_23;
-    var phi_2109_: bool;
+    var phi_2107_: bool;
+    var phi_2111_: type_23;
+    var phi_2112_: type_23;
     var phi_2113_: type_23;
-    var phi_2114_: type_23;
-    var phi_2115_: type_23;
-    var phi_2116_: bool;
+    var phi_2114_: bool;
+    var phi_2118_: type_23;
+    var phi_2119_: bool;
     var phi_2120_: type_23;
     var phi_2121_: bool;
-    var phi_2122_: type_23;
-    var phi_2123_: bool;
+    var phi_2122_: bool;
+    var phi_2123_: type_23;
     var phi_2124_: bool;
-    var phi_2125_: type_23;
-    var phi_2126_: bool;
-    var phi_2127_: bool;
-    var phi_2135_: type_23;
-    var phi_2136_: bool;
-    var phi_2140_: type_23;
-    var phi_2152_: type_4;
-    var phi_2155_: type_23;
-    var phi_2153_: type_4;
-    var phi_2178_: type_4;
-    var phi_2210_: bool;
-    var phi_2211_: bool;
-    var phi_2232_: type_23;
-    var phi_2156_: type_23;
-    var phi_3042_: bool;
-    var phi_3394_: f32;
-    var phi_3393_: f32;
+    var phi_2125_: bool;
+    var phi_2133_: type_23;
+    var phi_2134_: bool;
+    var phi_2138_: type_23;
+    var phi_2150_: type_4;
+    var phi_2153_: type_23;
+    var phi_2151_: type_4;
+    var phi_2176_: type_4;
+    var phi_2208_: bool;
+    var phi_2209_: bool;
+    var phi_2230_: type_23;
+    var phi_2154_: type_23;
+    var phi_3043_: bool;
+    var phi_3301_: f32;
+    var phi_3300_: f32;
+    var phi_3206_: bool;
+    var phi_3299_: f32;
     var phi_3205_: bool;
-    var phi_3392_: f32;
+    var phi_3298_: f32;
     var phi_3204_: bool;
-    var phi_3391_: f32;
+    var phi_3210_: f32;
     var phi_3203_: bool;
-    var phi_3303_: f32;
-    var phi_3202_: bool;
-    var phi_3268_: f32;
-    var phi_3211_: bool;
-    var phi_2730_: bool;
-    var phi_2731_: u32;
-    var phi_2732_: u32;
-    var phi_3267_: f32;
-    var phi_3210_: bool;
-    var phi_2733_: bool;
-    var phi_2734_: u32;
+    var phi_3337_: bool;
+    var phi_3209_: f32;
+    var phi_2306_: type_39;
+    var phi_2669_: u32;
+    var phi_2696_: u32;
+    var phi_2697_: u32;
+    var phi_2698_: u32;
+    var phi_2700_: u32;
+    var phi_2701_: u32;
+    var phi_2702_: bool;
+    var phi_2711_: u32;
+    var phi_2716_: bool;
+    var phi_2718_: u32;
+    var phi_2722_: bool;
+    var phi_2723_: u32;
+    var phi_2724_: u32;
+    var phi_3364_: f32;
+    var phi_3305_: bool;
     var phi_2735_: u32;
-    var phi_2736_: u32;
-    var phi_3266_: f32;
-    var phi_3209_: bool;
-    var phi_2737_: bool;
+    var phi_2736_: bool;
+    var phi_2737_: u32;
     var phi_2738_: u32;
+    var phi_3363_: f32;
+    var phi_3304_: bool;
     var phi_2739_: u32;
-    var phi_2740_: u32;
-    var phi_3265_: f32;
-    var phi_3208_: bool;
-    var phi_1036_: bool;
+    var phi_2740_: bool;
+    var phi_2741_: u32;
+    var phi_2742_: u32;
+    var phi_3362_: f32;
+    var phi_3303_: bool;
+    var phi_1034_: u32;
+    var phi_1037_: bool;
     var phi_1039_: u32;
     var phi_1041_: u32;
-    var phi_1043_: u32;
-    var phi_2741_: bool;
-    var phi_3207_: bool;
-    var phi_2748_: type_4;
-    var phi_2749_: type_4;
-    var phi_2772_: type_4;
-    var phi_2824_: f32;
+    var phi_2743_: bool;
+    var phi_3302_: bool;
+    var phi_2750_: type_4;
+    var phi_2751_: type_4;
+    var phi_2774_: type_4;
     var phi_2826_: f32;
-    var phi_2827_: bool;
     var phi_2828_: f32;
     var phi_2829_: bool;
-    var phi_2968_: u32;
-    var phi_2986_: bool;
-    var phi_2989_: bool;
-    var phi_3002_: f32;
-    var phi_3003_: f32;
-    var phi_3008_: f32;
-    var phi_3009_: f32;
-    var phi_3010_: bool;
-    var phi_3018_: f32;
-    var phi_2844_: f32;
-    var phi_2845_: f32;
-    var phi_2857_: f32;
-    var phi_2862_: type_23;
-    var phi_3247_: bool;
+    var phi_2830_: f32;
+    var phi_2831_: bool;
+    var phi_2970_: u32;
+    var phi_2988_: bool;
+    var phi_2991_: bool;
+    var phi_3004_: f32;
+    var phi_3005_: f32;
+    var phi_3010_: f32;
+    var phi_3011_: f32;
+    var phi_3012_: bool;
+    var phi_3020_: f32;
+    var phi_2846_: f32;
+    var phi_2847_: f32;
+    var phi_2859_: f32;
+    var phi_2864_: type_23;
+    var phi_3344_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -547,965 +547,969 @@ fn function_() {
                     local = array<type_23, 8>(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_2 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_3054_ = false;
-                    phi_3035_ = _e559;
-                    phi_1035_ = (_e561 <= _e559);
-                    phi_1038_ = ((3u * _e78) + 1u);
-                    phi_1040_ = 0u;
-                    phi_1042_ = select(0u, 2147483648u, (_e78 == 0u));
+                    phi_3055_ = false;
+                    phi_3036_ = _e559;
+                    phi_1033_ = ((3u * _e78) + 1u);
+                    phi_1036_ = (_e561 <= _e559);
+                    phi_1038_ = 0u;
+                    phi_1040_ = select(0u, 2147483648u, (_e78 == 0u));
                     loop {
-                        let _e568 = phi_3054_;
-                        let _e570 = phi_3035_;
-                        let _e572 = phi_1035_;
-                        let _e574 = phi_1038_;
-                        let _e576 = phi_1040_;
-                        let _e578 = phi_1042_;
-                        if _e572 {
-                            phi_1053_ = true;
+                        let _e568 = phi_3055_;
+                        let _e570 = phi_3036_;
+                        let _e572 = phi_1033_;
+                        let _e574 = phi_1036_;
+                        let _e576 = phi_1038_;
+                        let _e578 = phi_1040_;
+                        if _e574 {
+                            phi_1051_ = true;
                         } else {
-                            phi_1053_ = (_e576 > 0u);
+                            phi_1051_ = (_e576 > 0u);
                         }
-                        let _e581 = phi_1053_;
+                        let _e581 = phi_1051_;
                         if _e581 {
-                            let _e582 = (_e574 > 0u);
+                            let _e582 = (_e572 > 0u);
                             if _e582 {
-                                if _e572 {
-                                    phi_1086_ = _e572;
-                                    phi_1087_ = _e576;
-                                    phi_1088_ = _e578;
+                                if _e574 {
+                                    phi_1084_ = _e574;
+                                    phi_1085_ = _e576;
+                                    phi_1086_ = _e578;
                                 } else {
                                     let _e583 = (_e576 - 1u);
                                     let _e584 = (_e583 % 128u);
                                     let _e585 = (_e584 < 128u);
                                     if _e585 {
                                     } else {
-                                        phi_3207_ = true;
+                                        phi_3302_ = true;
                                         break;
                                     }
                                     let _e587 = local_2[_e584];
                                     if _e585 {
                                     } else {
-                                        phi_3207_ = true;
+                                        phi_3302_ = true;
                                         break;
                                     }
                                     let _e589 = local_1[_e584];
-                                    phi_1086_ = (_e589 <= _e570);
-                                    phi_1087_ = _e583;
-                                    phi_1088_ = _e587;
+                                    phi_1084_ = (_e589 <= _e570);
+                                    phi_1085_ = _e583;
+                                    phi_1086_ = _e587;
                                 }
-                                let _e592 = phi_1086_;
-                                let _e594 = phi_1087_;
-                                let _e596 = phi_1088_;
+                                let _e592 = phi_1084_;
+                                let _e594 = phi_1085_;
+                                let _e596 = phi_1086_;
                                 if _e592 {
-                                    if ((_e596 & 2147483648u) != 0u) {
-                                        phi_3051_ = _e568;
+                                    let _e599 = ((_e596 & 2147483648u) != 0u);
+                                    if _e599 {
+                                        phi_3052_ = _e568;
                                         phi_3041_ = _e570;
-                                        phi_1103_ = type_4(0u, ((_e596 >> bitcast<u32>(28u)) & 7u));
+                                        phi_1101_ = type_4(0u, ((_e596 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e793 = phi_3051_;
-                                            let _e795 = phi_3041_;
-                                            let _e797 = phi_1103_;
-                                            if (_e797.member < _e797.member_1) {
-                                                phi_1104_ = type_4((_e797.member + 1u), _e797.member_1);
-                                                phi_1127_ = type_4(1u, _e797.member);
+                                            let _e606 = phi_3052_;
+                                            let _e608 = phi_3041_;
+                                            let _e610 = phi_1101_;
+                                            if (_e610.member < _e610.member_1) {
+                                                phi_1102_ = type_4((_e610.member + 1u), _e610.member_1);
+                                                phi_1125_ = type_4(1u, _e610.member);
                                             } else {
-                                                phi_1104_ = _e797;
-                                                phi_1127_ = type_4(0u, type_4().member_1);
+                                                phi_1102_ = _e610;
+                                                phi_1125_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e810 = phi_1104_;
-                                            let _e812 = phi_1127_;
-                                            let _e816 = (bitcast<i32>(_e812.member) != 0i);
-                                            if _e816 {
-                                                let _e817 = ((_e596 & 268435455u) + _e812.member_1);
-                                                let _e818 = (_e817 < _e80);
-                                                if _e818 {
-                                                    if _e818 {
+                                            let _e623 = phi_1102_;
+                                            let _e625 = phi_1125_;
+                                            let _e629 = (bitcast<i32>(_e625.member) != 0i);
+                                            if _e629 {
+                                                let _e630 = ((_e596 & 268435455u) + _e625.member_1);
+                                                let _e631 = (_e630 < _e80);
+                                                if _e631 {
+                                                    if _e631 {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e822 = global_3.member[_e817].member_1;
-                                                    phi_1148_ = _e822;
+                                                    let _e635 = global_3.member[_e630].member_1;
+                                                    phi_1146_ = _e635;
                                                 } else {
-                                                    phi_1148_ = 4294967295u;
+                                                    phi_1146_ = 4294967295u;
                                                 }
-                                                let _e824 = phi_1148_;
-                                                if (_e817 >= _e80) {
-                                                    phi_1240_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e637 = phi_1146_;
+                                                if (_e630 >= _e80) {
+                                                    phi_1238_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e818 {
+                                                    if _e631 {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e826 = (_e206 % 3u);
-                                                    let _e827 = (_e205 % 3u);
-                                                    let _e828 = (_e207 % 3u);
-                                                    if (_e826 < 9u) {
+                                                    let _e639 = (_e206 % 3u);
+                                                    let _e640 = (_e205 % 3u);
+                                                    let _e641 = (_e207 % 3u);
+                                                    if (_e639 < 9u) {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e834 = global_3.member[_e817].member[_e826];
-                                                    if (_e827 < 9u) {
+                                                    let _e647 = global_3.member[_e630].member[_e639];
+                                                    if (_e640 < 9u) {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e840 = global_3.member[_e817].member[_e827];
-                                                    if (_e828 < 9u) {
+                                                    let _e653 = global_3.member[_e630].member[_e640];
+                                                    if (_e641 < 9u) {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e846 = global_3.member[_e817].member[_e828];
-                                                    let _e848 = (3u + _e826);
-                                                    if (_e848 < 9u) {
+                                                    let _e659 = global_3.member[_e630].member[_e641];
+                                                    let _e661 = (3u + _e639);
+                                                    if (_e661 < 9u) {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e854 = global_3.member[_e817].member[_e848];
-                                                    let _e855 = (3u + _e827);
-                                                    if (_e855 < 9u) {
+                                                    let _e667 = global_3.member[_e630].member[_e661];
+                                                    let _e668 = (3u + _e640);
+                                                    if (_e668 < 9u) {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e861 = global_3.member[_e817].member[_e855];
-                                                    let _e862 = (3u + _e828);
-                                                    if (_e862 < 9u) {
+                                                    let _e674 = global_3.member[_e630].member[_e668];
+                                                    let _e675 = (3u + _e641);
+                                                    if (_e675 < 9u) {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e868 = global_3.member[_e817].member[_e862];
-                                                    let _e870 = (6u + _e826);
-                                                    if (_e870 < 9u) {
+                                                    let _e681 = global_3.member[_e630].member[_e675];
+                                                    let _e683 = (6u + _e639);
+                                                    if (_e683 < 9u) {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e876 = global_3.member[_e817].member[_e870];
-                                                    let _e877 = (6u + _e827);
-                                                    if (_e877 < 9u) {
+                                                    let _e689 = global_3.member[_e630].member[_e683];
+                                                    let _e690 = (6u + _e640);
+                                                    if (_e690 < 9u) {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e883 = global_3.member[_e817].member[_e877];
-                                                    let _e884 = (6u + _e828);
-                                                    if (_e884 < 9u) {
+                                                    let _e696 = global_3.member[_e630].member[_e690];
+                                                    let _e697 = (6u + _e641);
+                                                    if (_e697 < 9u) {
                                                     } else {
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = true;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = true;
                                                         break;
                                                     }
-                                                    let _e890 = global_3.member[_e817].member[_e884];
-                                                    phi_1240_ = array<array<f32, 3>, 3>(array<f32, 3>(_e834, _e840, _e846), array<f32, 3>(_e854, _e861, _e868), array<f32, 3>(_e876, _e883, _e890));
+                                                    let _e703 = global_3.member[_e630].member[_e697];
+                                                    phi_1238_ = array<array<f32, 3>, 3>(array<f32, 3>(_e647, _e653, _e659), array<f32, 3>(_e667, _e674, _e681), array<f32, 3>(_e689, _e696, _e703));
                                                 }
-                                                let _e894 = phi_1240_;
-                                                let _e901 = (_e894[0][2] - _e407);
-                                                let _e904 = (((_e894[0][0] - _e270) * _e446) - (_e901 * _e310));
-                                                let _e907 = (((_e894[0][1] - _e339) * _e446) - (_e901 * _e378));
-                                                let _e914 = (_e894[1][2] - _e407);
-                                                let _e917 = (((_e894[1][0] - _e270) * _e446) - (_e914 * _e310));
-                                                let _e920 = (((_e894[1][1] - _e339) * _e446) - (_e914 * _e378));
-                                                let _e927 = (_e894[2][2] - _e407);
-                                                let _e930 = (((_e894[2][0] - _e270) * _e446) - (_e927 * _e310));
-                                                let _e933 = (((_e894[2][1] - _e339) * _e446) - (_e927 * _e378));
-                                                let _e934 = (_e930 * _e920);
-                                                let _e935 = (_e933 * _e917);
-                                                let _e936 = (_e904 * _e933);
-                                                let _e937 = (_e907 * _e930);
-                                                let _e938 = (_e917 * _e907);
-                                                let _e939 = (_e920 * _e904);
-                                                let _e944 = (((_e934 >= _e935) && (_e936 >= _e937)) && (_e938 >= _e939));
-                                                if (_e944 || (((_e934 <= _e935) && (_e936 <= _e937)) && (_e938 <= _e939))) {
-                                                    let _e951 = select(-1f, 1f, _e944);
-                                                    let _e953 = ((_e934 - _e935) * _e951);
-                                                    let _e955 = select(0f, _e953, (_e953 > 0f));
-                                                    let _e957 = ((_e936 - _e937) * _e951);
-                                                    let _e959 = select(0f, _e957, (_e957 > 0f));
-                                                    let _e961 = ((_e938 - _e939) * _e951);
-                                                    let _e963 = select(0f, _e961, (_e961 > 0f));
-                                                    let _e965 = ((_e955 + _e959) + _e963);
-                                                    if (_e965 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2125_ = type_23();
-                                                        phi_2126_ = true;
-                                                        phi_2127_ = false;
+                                                let _e707 = phi_1238_;
+                                                let _e714 = (_e707[0][2] - _e407);
+                                                let _e717 = (((_e707[0][0] - _e270) * _e446) - (_e714 * _e310));
+                                                let _e720 = (((_e707[0][1] - _e339) * _e446) - (_e714 * _e378));
+                                                let _e727 = (_e707[1][2] - _e407);
+                                                let _e730 = (((_e707[1][0] - _e270) * _e446) - (_e727 * _e310));
+                                                let _e733 = (((_e707[1][1] - _e339) * _e446) - (_e727 * _e378));
+                                                let _e740 = (_e707[2][2] - _e407);
+                                                let _e743 = (((_e707[2][0] - _e270) * _e446) - (_e740 * _e310));
+                                                let _e746 = (((_e707[2][1] - _e339) * _e446) - (_e740 * _e378));
+                                                let _e747 = (_e743 * _e733);
+                                                let _e748 = (_e746 * _e730);
+                                                let _e749 = (_e717 * _e746);
+                                                let _e750 = (_e720 * _e743);
+                                                let _e751 = (_e730 * _e720);
+                                                let _e752 = (_e733 * _e717);
+                                                let _e757 = (((_e747 >= _e748) && (_e749 >= _e750)) && (_e751 >= _e752));
+                                                if (_e757 || (((_e747 <= _e748) && (_e749 <= _e750)) && (_e751 <= _e752))) {
+                                                    let _e764 = select(-1f, 1f, _e757);
+                                                    let _e766 = ((_e747 - _e748) * _e764);
+                                                    let _e768 = select(0f, _e766, (_e766 > 0f));
+                                                    let _e770 = ((_e749 - _e750) * _e764);
+                                                    let _e772 = select(0f, _e770, (_e770 > 0f));
+                                                    let _e774 = ((_e751 - _e752) * _e764);
+                                                    let _e776 = select(0f, _e774, (_e774 > 0f));
+                                                    let _e778 = ((_e768 + _e772) + _e776);
+                                                    if (_e778 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2123_ = type_23();
+                                                        phi_2124_ = true;
+                                                        phi_2125_ = false;
                                                     } else {
-                                                        let _e968 = select(_e917, _e904, (_e904 < _e917));
-                                                        if (select(_e930, _e968, (_e968 < _e930)) > 0f) {
-                                                            phi_1393_ = true;
+                                                        let _e781 = select(_e730, _e717, (_e717 < _e730));
+                                                        if (select(_e743, _e781, (_e781 < _e743)) > 0f) {
+                                                            phi_1391_ = true;
                                                         } else {
-                                                            let _e973 = select(_e917, _e904, (_e904 > _e917));
-                                                            phi_1393_ = (select(_e930, _e973, (_e973 > _e930)) < 0f);
+                                                            let _e786 = select(_e730, _e717, (_e717 > _e730));
+                                                            phi_1391_ = (select(_e743, _e786, (_e786 > _e743)) < 0f);
                                                         }
-                                                        let _e978 = phi_1393_;
-                                                        if _e978 {
-                                                            phi_2122_ = type_23();
-                                                            phi_2123_ = true;
-                                                            phi_2124_ = false;
+                                                        let _e791 = phi_1391_;
+                                                        if _e791 {
+                                                            phi_2120_ = type_23();
+                                                            phi_2121_ = true;
+                                                            phi_2122_ = false;
                                                         } else {
-                                                            let _e980 = select(_e920, _e907, (_e907 < _e920));
-                                                            if (select(_e933, _e980, (_e980 < _e933)) > 0f) {
-                                                                phi_1422_ = true;
+                                                            let _e793 = select(_e733, _e720, (_e720 < _e733));
+                                                            if (select(_e746, _e793, (_e793 < _e746)) > 0f) {
+                                                                phi_1420_ = true;
                                                             } else {
-                                                                let _e985 = select(_e920, _e907, (_e907 > _e920));
-                                                                phi_1422_ = (select(_e933, _e985, (_e985 > _e933)) < 0f);
+                                                                let _e798 = select(_e733, _e720, (_e720 > _e733));
+                                                                phi_1420_ = (select(_e746, _e798, (_e798 > _e746)) < 0f);
                                                             }
-                                                            let _e990 = phi_1422_;
-                                                            if _e990 {
-                                                                phi_2120_ = type_23();
-                                                                phi_2121_ = false;
+                                                            let _e803 = phi_1420_;
+                                                            if _e803 {
+                                                                phi_2118_ = type_23();
+                                                                phi_2119_ = false;
                                                             } else {
-                                                                let _e992 = select(_e894[1][0], _e894[0][0], (_e894[0][0] < _e894[1][0]));
-                                                                let _e996 = select(_e894[1][0], _e894[0][0], (_e894[0][0] > _e894[1][0]));
-                                                                let _e1000 = select(_e894[1][1], _e894[0][1], (_e894[0][1] < _e894[1][1]));
-                                                                let _e1004 = select(_e894[1][1], _e894[0][1], (_e894[0][1] > _e894[1][1]));
-                                                                let _e1008 = select(_e894[1][2], _e894[0][2], (_e894[0][2] < _e894[1][2]));
-                                                                let _e1012 = select(_e894[1][2], _e894[0][2], (_e894[0][2] > _e894[1][2]));
-                                                                let _e1017 = ((select(_e894[2][0], _e992, (_e992 < _e894[2][0])) - _e308) * _e313);
-                                                                let _e1018 = ((select(_e894[2][0], _e996, (_e996 > _e894[2][0])) - _e309) * _e313);
-                                                                let _e1021 = ((select(_e894[2][1], _e1000, (_e1000 < _e894[2][1])) - _e376) * _e381);
-                                                                let _e1022 = ((select(_e894[2][1], _e1004, (_e1004 > _e894[2][1])) - _e377) * _e381);
-                                                                let _e1025 = ((select(_e894[2][2], _e1008, (_e1008 < _e894[2][2])) - _e444) * _e449);
-                                                                let _e1026 = ((select(_e894[2][2], _e1012, (_e1012 > _e894[2][2])) - _e445) * _e449);
-                                                                let _e1028 = select(_e1026, _e1025, (_e1025 < _e1026));
-                                                                let _e1030 = select(_e1026, _e1025, (_e1025 > _e1026));
-                                                                let _e1032 = select(_e1018, _e1017, (_e1017 < _e1018));
-                                                                let _e1034 = select(_e1022, _e1021, (_e1021 < _e1022));
-                                                                let _e1036 = select(_e1034, _e1032, (_e1032 > _e1034));
-                                                                let _e1038 = select(_e1028, _e1036, (_e1036 > _e1028));
-                                                                let _e1040 = select(_e1018, _e1017, (_e1017 > _e1018));
-                                                                let _e1042 = select(_e1022, _e1021, (_e1021 > _e1022));
-                                                                let _e1044 = select(_e1042, _e1040, (_e1040 < _e1042));
-                                                                let _e1046 = select(_e1030, _e1044, (_e1044 < _e1030));
-                                                                let _e1047 = -(_e1028);
-                                                                let _e1053 = select(_e561, _e1038, (_e1038 > _e561));
-                                                                if (_e1053 > (_e1046 + (select(_e1047, _e1030, (_e1030 > _e1047)) * 0.0000019073523f))) {
-                                                                    phi_2115_ = type_23();
-                                                                    phi_2116_ = true;
+                                                                let _e805 = select(_e707[1][0], _e707[0][0], (_e707[0][0] < _e707[1][0]));
+                                                                let _e809 = select(_e707[1][0], _e707[0][0], (_e707[0][0] > _e707[1][0]));
+                                                                let _e813 = select(_e707[1][1], _e707[0][1], (_e707[0][1] < _e707[1][1]));
+                                                                let _e817 = select(_e707[1][1], _e707[0][1], (_e707[0][1] > _e707[1][1]));
+                                                                let _e821 = select(_e707[1][2], _e707[0][2], (_e707[0][2] < _e707[1][2]));
+                                                                let _e825 = select(_e707[1][2], _e707[0][2], (_e707[0][2] > _e707[1][2]));
+                                                                let _e830 = ((select(_e707[2][0], _e805, (_e805 < _e707[2][0])) - _e308) * _e313);
+                                                                let _e831 = ((select(_e707[2][0], _e809, (_e809 > _e707[2][0])) - _e309) * _e313);
+                                                                let _e834 = ((select(_e707[2][1], _e813, (_e813 < _e707[2][1])) - _e376) * _e381);
+                                                                let _e835 = ((select(_e707[2][1], _e817, (_e817 > _e707[2][1])) - _e377) * _e381);
+                                                                let _e838 = ((select(_e707[2][2], _e821, (_e821 < _e707[2][2])) - _e444) * _e449);
+                                                                let _e839 = ((select(_e707[2][2], _e825, (_e825 > _e707[2][2])) - _e445) * _e449);
+                                                                let _e841 = select(_e839, _e838, (_e838 < _e839));
+                                                                let _e843 = select(_e839, _e838, (_e838 > _e839));
+                                                                let _e845 = select(_e831, _e830, (_e830 < _e831));
+                                                                let _e847 = select(_e835, _e834, (_e834 < _e835));
+                                                                let _e849 = select(_e847, _e845, (_e845 > _e847));
+                                                                let _e851 = select(_e841, _e849, (_e849 > _e841));
+                                                                let _e853 = select(_e831, _e830, (_e830 > _e831));
+                                                                let _e855 = select(_e835, _e834, (_e834 > _e835));
+                                                                let _e857 = select(_e855, _e853, (_e853 < _e855));
+                                                                let _e859 = select(_e843, _e857, (_e857 < _e843));
+                                                                let _e860 = -(_e841);
+                                                                let _e866 = select(_e561, _e851, (_e851 > _e561));
+                                                                if (_e866 > (_e859 + (select(_e860, _e843, (_e843 > _e860)) * 0.0000019073523f))) {
+                                                                    phi_2113_ = type_23();
+                                                                    phi_2114_ = true;
                                                                 } else {
-                                                                    let _e1055 = (_e1053 > _e795);
-                                                                    if _e1055 {
-                                                                        phi_2114_ = type_23();
+                                                                    let _e868 = (_e866 > _e608);
+                                                                    if _e868 {
+                                                                        phi_2112_ = type_23();
                                                                     } else {
-                                                                        let _e1056 = vec3<f32>(_e894[0][0], _e894[0][1], _e894[0][2]);
-                                                                        let _e1057 = vec3<f32>(_e894[1][0], _e894[1][1], _e894[1][2]);
-                                                                        let _e1058 = vec3<f32>(_e894[2][0], _e894[2][1], _e894[2][2]);
-                                                                        let _e1059 = (_e894[1][0] - _e894[0][0]);
-                                                                        let _e1060 = (_e894[1][1] - _e894[0][1]);
-                                                                        let _e1061 = (_e894[1][2] - _e894[0][2]);
-                                                                        let _e1062 = vec3<f32>(_e1059, _e1060, _e1061);
-                                                                        let _e1063 = (_e894[2][0] - _e894[1][0]);
-                                                                        let _e1064 = (_e894[2][1] - _e894[1][1]);
-                                                                        let _e1065 = (_e894[2][2] - _e894[1][2]);
-                                                                        let _e1066 = vec3<f32>(_e1063, _e1064, _e1065);
-                                                                        let _e1067 = (_e894[0][0] - _e894[2][0]);
-                                                                        let _e1068 = (_e894[0][1] - _e894[2][1]);
-                                                                        let _e1069 = (_e894[0][2] - _e894[2][2]);
-                                                                        let _e1070 = vec3<f32>(_e1067, _e1068, _e1069);
-                                                                        let _e1073 = bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u));
-                                                                        let _e1076 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
-                                                                        let _e1078 = select(_e1076, _e1073, (_e1073 > _e1076));
-                                                                        let _e1081 = bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u));
-                                                                        let _e1083 = select(_e1081, _e1078, (_e1078 > _e1081));
-                                                                        let _e1086 = bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u));
-                                                                        let _e1089 = bitcast<f32>((bitcast<u32>(_e1064) & 2147483647u));
-                                                                        let _e1091 = select(_e1089, _e1086, (_e1086 > _e1089));
-                                                                        let _e1094 = bitcast<f32>((bitcast<u32>(_e1065) & 2147483647u));
-                                                                        let _e1096 = select(_e1094, _e1091, (_e1091 > _e1094));
-                                                                        let _e1099 = bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u));
-                                                                        let _e1102 = bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u));
-                                                                        let _e1104 = select(_e1102, _e1099, (_e1099 > _e1102));
-                                                                        let _e1107 = bitcast<f32>((bitcast<u32>(_e1069) & 2147483647u));
-                                                                        let _e1109 = select(_e1107, _e1104, (_e1104 > _e1107));
-                                                                        let _e1111 = select(_e1096, _e1083, (_e1083 > _e1096));
-                                                                        let _e1113 = select(_e1109, _e1111, (_e1111 > _e1109));
-                                                                        if (_e1083 == _e1113) {
-                                                                            phi_1841_ = _e920;
-                                                                            phi_1842_ = _e917;
-                                                                            phi_1843_ = _e907;
-                                                                            phi_1844_ = _e904;
-                                                                            phi_1845_ = _e1056;
-                                                                            phi_1846_ = _e1070;
-                                                                            phi_1847_ = _e1066;
-                                                                            phi_1848_ = _e1062;
+                                                                        let _e869 = vec3<f32>(_e707[0][0], _e707[0][1], _e707[0][2]);
+                                                                        let _e870 = vec3<f32>(_e707[1][0], _e707[1][1], _e707[1][2]);
+                                                                        let _e871 = vec3<f32>(_e707[2][0], _e707[2][1], _e707[2][2]);
+                                                                        let _e872 = (_e707[1][0] - _e707[0][0]);
+                                                                        let _e873 = (_e707[1][1] - _e707[0][1]);
+                                                                        let _e874 = (_e707[1][2] - _e707[0][2]);
+                                                                        let _e875 = vec3<f32>(_e872, _e873, _e874);
+                                                                        let _e876 = (_e707[2][0] - _e707[1][0]);
+                                                                        let _e877 = (_e707[2][1] - _e707[1][1]);
+                                                                        let _e878 = (_e707[2][2] - _e707[1][2]);
+                                                                        let _e879 = vec3<f32>(_e876, _e877, _e878);
+                                                                        let _e880 = (_e707[0][0] - _e707[2][0]);
+                                                                        let _e881 = (_e707[0][1] - _e707[2][1]);
+                                                                        let _e882 = (_e707[0][2] - _e707[2][2]);
+                                                                        let _e883 = vec3<f32>(_e880, _e881, _e882);
+                                                                        let _e886 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
+                                                                        let _e889 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
+                                                                        let _e891 = select(_e889, _e886, (_e886 > _e889));
+                                                                        let _e894 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
+                                                                        let _e896 = select(_e894, _e891, (_e891 > _e894));
+                                                                        let _e899 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
+                                                                        let _e902 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
+                                                                        let _e904 = select(_e902, _e899, (_e899 > _e902));
+                                                                        let _e907 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
+                                                                        let _e909 = select(_e907, _e904, (_e904 > _e907));
+                                                                        let _e912 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
+                                                                        let _e915 = bitcast<f32>((bitcast<u32>(_e881) & 2147483647u));
+                                                                        let _e917 = select(_e915, _e912, (_e912 > _e915));
+                                                                        let _e920 = bitcast<f32>((bitcast<u32>(_e882) & 2147483647u));
+                                                                        let _e922 = select(_e920, _e917, (_e917 > _e920));
+                                                                        let _e924 = select(_e909, _e896, (_e896 > _e909));
+                                                                        let _e926 = select(_e922, _e924, (_e924 > _e922));
+                                                                        if (_e896 == _e926) {
+                                                                            phi_1839_ = _e733;
+                                                                            phi_1840_ = _e730;
+                                                                            phi_1841_ = _e720;
+                                                                            phi_1842_ = _e717;
+                                                                            phi_1843_ = _e869;
+                                                                            phi_1844_ = _e883;
+                                                                            phi_1845_ = _e879;
+                                                                            phi_1846_ = _e875;
                                                                         } else {
-                                                                            let _e1115 = (_e1096 == _e1113);
-                                                                            let _e1120 = vec3(_e1115);
-                                                                            phi_1841_ = select(_e907, _e933, _e1115);
-                                                                            phi_1842_ = select(_e904, _e930, _e1115);
-                                                                            phi_1843_ = select(_e933, _e920, _e1115);
-                                                                            phi_1844_ = select(_e930, _e917, _e1115);
-                                                                            phi_1845_ = select(_e1058, _e1057, _e1120);
-                                                                            phi_1846_ = select(_e1066, _e1062, _e1120);
-                                                                            phi_1847_ = select(_e1062, _e1070, _e1120);
-                                                                            phi_1848_ = select(_e1070, _e1066, _e1120);
+                                                                            let _e928 = (_e909 == _e926);
+                                                                            let _e933 = vec3(_e928);
+                                                                            phi_1839_ = select(_e720, _e746, _e928);
+                                                                            phi_1840_ = select(_e717, _e743, _e928);
+                                                                            phi_1841_ = select(_e746, _e733, _e928);
+                                                                            phi_1842_ = select(_e743, _e730, _e928);
+                                                                            phi_1843_ = select(_e871, _e870, _e933);
+                                                                            phi_1844_ = select(_e879, _e875, _e933);
+                                                                            phi_1845_ = select(_e875, _e883, _e933);
+                                                                            phi_1846_ = select(_e883, _e879, _e933);
                                                                         }
-                                                                        let _e1126 = phi_1841_;
-                                                                        let _e1128 = phi_1842_;
-                                                                        let _e1130 = phi_1843_;
-                                                                        let _e1132 = phi_1844_;
-                                                                        let _e1134 = phi_1845_;
-                                                                        let _e1136 = phi_1846_;
-                                                                        let _e1138 = phi_1847_;
-                                                                        let _e1140 = phi_1848_;
-                                                                        let _e1147 = ((_e1138.y * _e1136.z) - (_e1136.y * _e1138.z));
-                                                                        let _e1152 = ((_e1138.z * _e1136.x) - (_e1136.z * _e1138.x));
-                                                                        let _e1155 = ((_e1138.x * _e1136.y) - (_e1136.x * _e1138.y));
-                                                                        if (_e955 >= _e959) {
-                                                                            phi_1885_ = select(true, false, (_e955 >= _e963));
+                                                                        let _e939 = phi_1839_;
+                                                                        let _e941 = phi_1840_;
+                                                                        let _e943 = phi_1841_;
+                                                                        let _e945 = phi_1842_;
+                                                                        let _e947 = phi_1843_;
+                                                                        let _e949 = phi_1844_;
+                                                                        let _e951 = phi_1845_;
+                                                                        let _e953 = phi_1846_;
+                                                                        let _e960 = ((_e951.y * _e949.z) - (_e949.y * _e951.z));
+                                                                        let _e965 = ((_e951.z * _e949.x) - (_e949.z * _e951.x));
+                                                                        let _e968 = ((_e951.x * _e949.y) - (_e949.x * _e951.y));
+                                                                        if (_e768 >= _e772) {
+                                                                            phi_1883_ = select(true, false, (_e768 >= _e776));
                                                                         } else {
-                                                                            phi_1885_ = true;
+                                                                            phi_1883_ = true;
                                                                         }
-                                                                        let _e1160 = phi_1885_;
-                                                                        if _e1160 {
-                                                                            phi_1894_ = select(_e1058, _e1057, vec3((_e959 >= _e963)));
+                                                                        let _e973 = phi_1883_;
+                                                                        if _e973 {
+                                                                            phi_1892_ = select(_e871, _e870, vec3((_e772 >= _e776)));
                                                                         } else {
-                                                                            phi_1894_ = _e1056;
+                                                                            phi_1892_ = _e869;
                                                                         }
-                                                                        let _e1165 = phi_1894_;
-                                                                        let _e1176 = (((_e1147 * (_e1165.x - _e270)) + (_e1152 * (_e1165.y - _e339))) + (_e1155 * (_e1165.z - _e407)));
-                                                                        let _e1181 = (((_e1147 * _e310) + (_e1152 * _e378)) + (_e1155 * _e446));
-                                                                        let _e1182 = (_e1128 - _e1132);
-                                                                        let _e1183 = (_e1126 - _e1130);
-                                                                        let _e1191 = (-(((_e1132 * _e1182) + (_e1130 * _e1183))) / ((_e1182 * _e1182) + (_e1183 * _e1183)));
-                                                                        let _e1193 = select(1f, _e1191, (_e1191 < 1f));
-                                                                        let _e1195 = select(0f, _e1193, (_e1193 > 0f));
-                                                                        let _e1208 = ((_e1134.x + (_e1140.x * _e1195)) - _e270);
-                                                                        let _e1209 = ((_e1134.y + (_e1140.y * _e1195)) - _e339);
-                                                                        let _e1210 = ((_e1134.z + (_e1140.z * _e1195)) - _e407);
-                                                                        let _e1211 = (_e1210 / _e446);
-                                                                        let _e1223 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
-                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
-                                                                        let _e1228 = select(_e1226, _e1223, (_e1223 > _e1226));
-                                                                        let _e1231 = bitcast<f32>((bitcast<u32>(_e1210) & 2147483647u));
-                                                                        let _e1233 = select(_e1231, _e1228, (_e1228 > _e1231));
-                                                                        let _e1239 = bitcast<f32>((bitcast<u32>(_e1147) & 2147483647u));
-                                                                        let _e1242 = bitcast<f32>((bitcast<u32>(_e1152) & 2147483647u));
-                                                                        let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
-                                                                        let _e1247 = bitcast<f32>((bitcast<u32>(_e1155) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1147 * _e1208) + (_e1152 * _e1209)) + (_e1155 * _e1210)) - _e1176)) & 2147483647u)) <= ((0.0000009536743f * select(_e1113, _e1233, (_e1233 > _e1113))) * select(_e1247, _e1244, (_e1244 > _e1247)))) {
-                                                                            let _e1257 = bitcast<f32>((bitcast<u32>(_e1138.x) & 2147483647u));
-                                                                            let _e1260 = bitcast<f32>((bitcast<u32>(_e1138.y) & 2147483647u));
-                                                                            let _e1262 = select(_e1260, _e1257, (_e1257 > _e1260));
-                                                                            let _e1265 = bitcast<f32>((bitcast<u32>(_e1138.z) & 2147483647u));
-                                                                            let _e1271 = bitcast<f32>((bitcast<u32>(_e1136.x) & 2147483647u));
-                                                                            let _e1274 = bitcast<f32>((bitcast<u32>(_e1136.y) & 2147483647u));
-                                                                            let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
-                                                                            let _e1279 = bitcast<f32>((bitcast<u32>(_e1136.z) & 2147483647u));
-                                                                            let _e1283 = (bitcast<f32>((bitcast<u32>(_e1181) & 2147483647u)) > ((0.0000038146973f * select(_e1265, _e1262, (_e1262 > _e1265))) * select(_e1279, _e1276, (_e1276 > _e1279))));
-                                                                            if _e1283 {
-                                                                                phi_2059_ = (_e1176 / _e1181);
+                                                                        let _e978 = phi_1892_;
+                                                                        let _e989 = (((_e960 * (_e978.x - _e270)) + (_e965 * (_e978.y - _e339))) + (_e968 * (_e978.z - _e407)));
+                                                                        let _e994 = (((_e960 * _e310) + (_e965 * _e378)) + (_e968 * _e446));
+                                                                        let _e995 = (_e941 - _e945);
+                                                                        let _e996 = (_e939 - _e943);
+                                                                        let _e1004 = (-(((_e945 * _e995) + (_e943 * _e996))) / ((_e995 * _e995) + (_e996 * _e996)));
+                                                                        let _e1006 = select(1f, _e1004, (_e1004 < 1f));
+                                                                        let _e1008 = select(0f, _e1006, (_e1006 > 0f));
+                                                                        let _e1021 = ((_e947.x + (_e953.x * _e1008)) - _e270);
+                                                                        let _e1022 = ((_e947.y + (_e953.y * _e1008)) - _e339);
+                                                                        let _e1023 = ((_e947.z + (_e953.z * _e1008)) - _e407);
+                                                                        let _e1024 = (_e1023 / _e446);
+                                                                        let _e1036 = bitcast<f32>((bitcast<u32>(_e1021) & 2147483647u));
+                                                                        let _e1039 = bitcast<f32>((bitcast<u32>(_e1022) & 2147483647u));
+                                                                        let _e1041 = select(_e1039, _e1036, (_e1036 > _e1039));
+                                                                        let _e1044 = bitcast<f32>((bitcast<u32>(_e1023) & 2147483647u));
+                                                                        let _e1046 = select(_e1044, _e1041, (_e1041 > _e1044));
+                                                                        let _e1052 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
+                                                                        let _e1055 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
+                                                                        let _e1057 = select(_e1055, _e1052, (_e1052 > _e1055));
+                                                                        let _e1060 = bitcast<f32>((bitcast<u32>(_e968) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e960 * _e1021) + (_e965 * _e1022)) + (_e968 * _e1023)) - _e989)) & 2147483647u)) <= ((0.0000009536743f * select(_e926, _e1046, (_e1046 > _e926))) * select(_e1060, _e1057, (_e1057 > _e1060)))) {
+                                                                            let _e1070 = bitcast<f32>((bitcast<u32>(_e951.x) & 2147483647u));
+                                                                            let _e1073 = bitcast<f32>((bitcast<u32>(_e951.y) & 2147483647u));
+                                                                            let _e1075 = select(_e1073, _e1070, (_e1070 > _e1073));
+                                                                            let _e1078 = bitcast<f32>((bitcast<u32>(_e951.z) & 2147483647u));
+                                                                            let _e1084 = bitcast<f32>((bitcast<u32>(_e949.x) & 2147483647u));
+                                                                            let _e1087 = bitcast<f32>((bitcast<u32>(_e949.y) & 2147483647u));
+                                                                            let _e1089 = select(_e1087, _e1084, (_e1084 > _e1087));
+                                                                            let _e1092 = bitcast<f32>((bitcast<u32>(_e949.z) & 2147483647u));
+                                                                            let _e1096 = (bitcast<f32>((bitcast<u32>(_e994) & 2147483647u)) > ((0.0000038146973f * select(_e1078, _e1075, (_e1075 > _e1078))) * select(_e1092, _e1089, (_e1089 > _e1092))));
+                                                                            if _e1096 {
+                                                                                phi_2057_ = (_e989 / _e994);
                                                                             } else {
-                                                                                phi_2059_ = f32();
+                                                                                phi_2057_ = f32();
                                                                             }
-                                                                            let _e1286 = phi_2059_;
-                                                                            phi_2061_ = _e1286;
-                                                                            phi_2062_ = select(true, false, _e1283);
+                                                                            let _e1099 = phi_2057_;
+                                                                            phi_2059_ = _e1099;
+                                                                            phi_2060_ = select(true, false, _e1096);
                                                                         } else {
-                                                                            phi_2061_ = f32();
-                                                                            phi_2062_ = true;
+                                                                            phi_2059_ = f32();
+                                                                            phi_2060_ = true;
                                                                         }
-                                                                        let _e1289 = phi_2061_;
-                                                                        let _e1291 = phi_2062_;
-                                                                        if _e1291 {
-                                                                            let _e1299 = (((_e1147 * (_e1208 - (_e310 * _e1211))) + (_e1152 * (_e1209 - (_e378 * _e1211)))) / _e1181);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1299) & 2147483647u)) <= _e1113) {
-                                                                                phi_2082_ = (_e1211 + _e1299);
+                                                                        let _e1102 = phi_2059_;
+                                                                        let _e1104 = phi_2060_;
+                                                                        if _e1104 {
+                                                                            let _e1112 = (((_e960 * (_e1021 - (_e310 * _e1024))) + (_e965 * (_e1022 - (_e378 * _e1024)))) / _e994);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1112) & 2147483647u)) <= _e926) {
+                                                                                phi_2080_ = (_e1024 + _e1112);
                                                                             } else {
-                                                                                phi_2082_ = _e1211;
+                                                                                phi_2080_ = _e1024;
                                                                             }
-                                                                            let _e1306 = phi_2082_;
-                                                                            phi_2083_ = _e1306;
+                                                                            let _e1119 = phi_2080_;
+                                                                            phi_2081_ = _e1119;
                                                                         } else {
-                                                                            phi_2083_ = _e1289;
+                                                                            phi_2081_ = _e1102;
                                                                         }
-                                                                        let _e1308 = phi_2083_;
-                                                                        let _e1310 = select(_e1046, _e1308, (_e1308 < _e1046));
-                                                                        let _e1312 = select(_e1038, _e1310, (_e1310 > _e1038));
-                                                                        if (_e1312 >= _e561) {
-                                                                            let _e1314 = (_e1312 <= _e795);
-                                                                            if _e1314 {
-                                                                                let _e1315 = (1f / _e965);
-                                                                                phi_2106_ = type_23(_e1312, (_e959 * _e1315), (_e963 * _e1315), _e824);
+                                                                        let _e1121 = phi_2081_;
+                                                                        let _e1123 = select(_e859, _e1121, (_e1121 < _e859));
+                                                                        let _e1125 = select(_e851, _e1123, (_e1123 > _e851));
+                                                                        if (_e1125 >= _e561) {
+                                                                            let _e1127 = (_e1125 <= _e608);
+                                                                            if _e1127 {
+                                                                                let _e1128 = (1f / _e778);
+                                                                                phi_2104_ = type_23(_e1125, (_e772 * _e1128), (_e776 * _e1128), _e637);
                                                                             } else {
-                                                                                phi_2106_ = type_23();
+                                                                                phi_2104_ = type_23();
                                                                             }
-                                                                            let _e1320 = phi_2106_;
-                                                                            phi_2108_ = _e1320;
-                                                                            phi_2109_ = select(true, false, _e1314);
+                                                                            let _e1133 = phi_2104_;
+                                                                            phi_2106_ = _e1133;
+                                                                            phi_2107_ = select(true, false, _e1127);
                                                                         } else {
-                                                                            phi_2108_ = type_23();
-                                                                            phi_2109_ = true;
+                                                                            phi_2106_ = type_23();
+                                                                            phi_2107_ = true;
                                                                         }
-                                                                        let _e1323 = phi_2108_;
-                                                                        let _e1325 = phi_2109_;
-                                                                        if _e1325 {
-                                                                            phi_2113_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1136 = phi_2106_;
+                                                                        let _e1138 = phi_2107_;
+                                                                        if _e1138 {
+                                                                            phi_2111_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2113_ = _e1323;
+                                                                            phi_2111_ = _e1136;
                                                                         }
-                                                                        let _e1327 = phi_2113_;
-                                                                        phi_2114_ = _e1327;
+                                                                        let _e1140 = phi_2111_;
+                                                                        phi_2112_ = _e1140;
                                                                     }
-                                                                    let _e1329 = phi_2114_;
-                                                                    phi_2115_ = _e1329;
-                                                                    phi_2116_ = _e1055;
+                                                                    let _e1142 = phi_2112_;
+                                                                    phi_2113_ = _e1142;
+                                                                    phi_2114_ = _e868;
                                                                 }
-                                                                let _e1331 = phi_2115_;
-                                                                let _e1333 = phi_2116_;
-                                                                phi_2120_ = _e1331;
-                                                                phi_2121_ = _e1333;
+                                                                let _e1144 = phi_2113_;
+                                                                let _e1146 = phi_2114_;
+                                                                phi_2118_ = _e1144;
+                                                                phi_2119_ = _e1146;
                                                             }
-                                                            let _e1335 = phi_2120_;
-                                                            let _e1337 = phi_2121_;
-                                                            phi_2122_ = _e1335;
-                                                            phi_2123_ = _e990;
-                                                            phi_2124_ = _e1337;
+                                                            let _e1148 = phi_2118_;
+                                                            let _e1150 = phi_2119_;
+                                                            phi_2120_ = _e1148;
+                                                            phi_2121_ = _e803;
+                                                            phi_2122_ = _e1150;
                                                         }
-                                                        let _e1339 = phi_2122_;
-                                                        let _e1341 = phi_2123_;
-                                                        let _e1343 = phi_2124_;
-                                                        phi_2125_ = _e1339;
-                                                        phi_2126_ = _e1341;
-                                                        phi_2127_ = _e1343;
+                                                        let _e1152 = phi_2120_;
+                                                        let _e1154 = phi_2121_;
+                                                        let _e1156 = phi_2122_;
+                                                        phi_2123_ = _e1152;
+                                                        phi_2124_ = _e1154;
+                                                        phi_2125_ = _e1156;
                                                     }
-                                                    let _e1345 = phi_2125_;
-                                                    let _e1347 = phi_2126_;
-                                                    let _e1349 = phi_2127_;
-                                                    phi_2135_ = _e1345;
-                                                    phi_2136_ = select(_e1349, true, _e1347);
+                                                    let _e1158 = phi_2123_;
+                                                    let _e1160 = phi_2124_;
+                                                    let _e1162 = phi_2125_;
+                                                    phi_2133_ = _e1158;
+                                                    phi_2134_ = select(_e1162, true, _e1160);
                                                 } else {
-                                                    phi_2135_ = type_23();
-                                                    phi_2136_ = true;
+                                                    phi_2133_ = type_23();
+                                                    phi_2134_ = true;
                                                 }
-                                                let _e1352 = phi_2135_;
-                                                let _e1354 = phi_2136_;
-                                                if _e1354 {
-                                                    phi_2140_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1165 = phi_2133_;
+                                                let _e1167 = phi_2134_;
+                                                if _e1167 {
+                                                    phi_2138_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2140_ = _e1352;
+                                                    phi_2138_ = _e1165;
                                                 }
-                                                let _e1356 = phi_2140_;
-                                                if (_e1356.member_3 != 4294967295u) {
-                                                    if (_e824 != 4294967295u) {
-                                                        phi_2152_ = type_4(0u, 8u);
-                                                        phi_2155_ = _e1356;
+                                                let _e1169 = phi_2138_;
+                                                if (_e1169.member_3 != 4294967295u) {
+                                                    if (_e637 != 4294967295u) {
+                                                        phi_2150_ = type_4(0u, 8u);
+                                                        phi_2153_ = _e1169;
                                                         loop {
-                                                            let _e1361 = phi_2152_;
-                                                            let _e1363 = phi_2155_;
-                                                            if (_e1361.member < _e1361.member_1) {
-                                                                phi_2153_ = type_4((_e1361.member + 1u), _e1361.member_1);
-                                                                phi_2178_ = type_4(1u, _e1361.member);
+                                                            let _e1174 = phi_2150_;
+                                                            let _e1176 = phi_2153_;
+                                                            if (_e1174.member < _e1174.member_1) {
+                                                                phi_2151_ = type_4((_e1174.member + 1u), _e1174.member_1);
+                                                                phi_2176_ = type_4(1u, _e1174.member);
                                                             } else {
-                                                                phi_2153_ = _e1361;
-                                                                phi_2178_ = type_4(0u, type_4().member_1);
+                                                                phi_2151_ = _e1174;
+                                                                phi_2176_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1376 = phi_2153_;
-                                                            let _e1378 = phi_2178_;
-                                                            let _e1382 = (bitcast<i32>(_e1378.member) != 0i);
-                                                            if _e1382 {
-                                                                let _e1383 = (_e1378.member_1 < 8u);
-                                                                if _e1383 {
+                                                            let _e1189 = phi_2151_;
+                                                            let _e1191 = phi_2176_;
+                                                            let _e1195 = (bitcast<i32>(_e1191.member) != 0i);
+                                                            if _e1195 {
+                                                                let _e1196 = (_e1191.member_1 < 8u);
+                                                                if _e1196 {
                                                                 } else {
-                                                                    phi_3042_ = true;
+                                                                    phi_3043_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1388 = local[_e1378.member_1].member;
-                                                                if (_e1363.member < _e1388) {
-                                                                    phi_2211_ = true;
+                                                                let _e1201 = local[_e1191.member_1].member;
+                                                                if (_e1176.member < _e1201) {
+                                                                    phi_2209_ = true;
                                                                 } else {
-                                                                    let _e1390 = local[_e1378.member_1].member;
-                                                                    if (_e1363.member == _e1390) {
-                                                                        let _e1395 = local[_e1378.member_1].member_3;
-                                                                        phi_2210_ = (_e1363.member_3 < _e1395);
+                                                                    let _e1203 = local[_e1191.member_1].member;
+                                                                    if (_e1176.member == _e1203) {
+                                                                        let _e1208 = local[_e1191.member_1].member_3;
+                                                                        phi_2208_ = (_e1176.member_3 < _e1208);
                                                                     } else {
-                                                                        phi_2210_ = false;
+                                                                        phi_2208_ = false;
                                                                     }
-                                                                    let _e1398 = phi_2210_;
-                                                                    phi_2211_ = _e1398;
+                                                                    let _e1211 = phi_2208_;
+                                                                    phi_2209_ = _e1211;
                                                                 }
-                                                                let _e1400 = phi_2211_;
-                                                                if _e1400 {
-                                                                    if _e1383 {
+                                                                let _e1213 = phi_2209_;
+                                                                if _e1213 {
+                                                                    if _e1196 {
                                                                     } else {
-                                                                        phi_3042_ = true;
+                                                                        phi_3043_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1401 = local[_e1378.member_1];
-                                                                    local[_e1378.member_1] = type_23(_e1363.member, _e1363.member_1, _e1363.member_2, _e1363.member_3);
-                                                                    phi_2232_ = type_23(_e1401.member, _e1401.member_1, _e1401.member_2, _e1401.member_3);
+                                                                    let _e1214 = local[_e1191.member_1];
+                                                                    local[_e1191.member_1] = type_23(_e1176.member, _e1176.member_1, _e1176.member_2, _e1176.member_3);
+                                                                    phi_2230_ = type_23(_e1214.member, _e1214.member_1, _e1214.member_2, _e1214.member_3);
                                                                 } else {
-                                                                    phi_2232_ = _e1363;
+                                                                    phi_2230_ = _e1176;
                                                                 }
-                                                                let _e1412 = phi_2232_;
-                                                                phi_2156_ = _e1412;
+                                                                let _e1225 = phi_2230_;
+                                                                phi_2154_ = _e1225;
                                                             } else {
-                                                                phi_2156_ = type_23();
+                                                                phi_2154_ = type_23();
                                                             }
-                                                            let _e1414 = phi_2156_;
+                                                            let _e1227 = phi_2154_;
                                                             continue;
                                                             continuing {
-                                                                phi_2152_ = _e1376;
-                                                                phi_2155_ = _e1414;
-                                                                phi_3042_ = _e793;
-                                                                break if !(_e1382);
+                                                                phi_2150_ = _e1189;
+                                                                phi_2153_ = _e1227;
+                                                                phi_3043_ = _e606;
+                                                                break if !(_e1195);
                                                             }
                                                         }
-                                                        let _e1417 = phi_3042_;
-                                                        phi_3303_ = _e795;
-                                                        phi_3202_ = _e1417;
-                                                        if _e1417 {
+                                                        let _e1230 = phi_3043_;
+                                                        phi_3210_ = _e608;
+                                                        phi_3203_ = _e1230;
+                                                        if _e1230 {
                                                             break;
                                                         }
-                                                        let _e1420 = local[7u].member_3;
-                                                        if (_e1420 != 4294967295u) {
-                                                            let _e1424 = local[7u].member;
-                                                            phi_3394_ = _e1424;
+                                                        let _e1233 = local[7u].member_3;
+                                                        if (_e1233 != 4294967295u) {
+                                                            let _e1237 = local[7u].member;
+                                                            phi_3301_ = _e1237;
                                                         } else {
-                                                            phi_3394_ = _e795;
+                                                            phi_3301_ = _e608;
                                                         }
-                                                        let _e1426 = phi_3394_;
-                                                        phi_3393_ = _e1426;
-                                                        phi_3205_ = _e1417;
+                                                        let _e1239 = phi_3301_;
+                                                        phi_3300_ = _e1239;
+                                                        phi_3206_ = _e1230;
                                                     } else {
-                                                        phi_3393_ = _e795;
-                                                        phi_3205_ = _e793;
+                                                        phi_3300_ = _e608;
+                                                        phi_3206_ = _e606;
                                                     }
-                                                    let _e1428 = phi_3393_;
-                                                    let _e1430 = phi_3205_;
-                                                    phi_3392_ = _e1428;
-                                                    phi_3204_ = _e1430;
+                                                    let _e1241 = phi_3300_;
+                                                    let _e1243 = phi_3206_;
+                                                    phi_3299_ = _e1241;
+                                                    phi_3205_ = _e1243;
                                                 } else {
-                                                    phi_3392_ = _e795;
-                                                    phi_3204_ = _e793;
+                                                    phi_3299_ = _e608;
+                                                    phi_3205_ = _e606;
                                                 }
-                                                let _e1432 = phi_3392_;
-                                                let _e1434 = phi_3204_;
-                                                phi_3391_ = _e1432;
-                                                phi_3203_ = _e1434;
+                                                let _e1245 = phi_3299_;
+                                                let _e1247 = phi_3205_;
+                                                phi_3298_ = _e1245;
+                                                phi_3204_ = _e1247;
                                             } else {
-                                                phi_3391_ = _e795;
-                                                phi_3203_ = _e793;
+                                                phi_3298_ = _e608;
+                                                phi_3204_ = _e606;
                                             }
-                                            let _e1436 = phi_3391_;
-                                            let _e1438 = phi_3203_;
+                                            let _e1249 = phi_3298_;
+                                            let _e1251 = phi_3204_;
                                             continue;
                                             continuing {
-                                                phi_3051_ = _e1438;
-                                                phi_3041_ = _e1436;
-                                                phi_1103_ = _e810;
-                                                phi_3303_ = _e1436;
-                                                phi_3202_ = _e1438;
-                                                break if !(_e816);
+                                                phi_3052_ = _e1251;
+                                                phi_3041_ = _e1249;
+                                                phi_1101_ = _e623;
+                                                phi_3210_ = _e1249;
+                                                phi_3203_ = _e1251;
+                                                break if !(_e629);
                                             }
                                         }
-                                        let _e1441 = phi_3303_;
-                                        let _e1443 = phi_3202_;
-                                        phi_3207_ = _e1443;
-                                        if _e1443 {
+                                        let _e1254 = phi_3210_;
+                                        let _e1256 = phi_3203_;
+                                        phi_3302_ = _e1256;
+                                        if _e1256 {
                                             break;
                                         }
-                                        phi_3268_ = _e1441;
-                                        phi_3211_ = _e1443;
-                                        phi_2730_ = false;
-                                        phi_2731_ = _e594;
-                                        phi_2732_ = _e596;
+                                        phi_3337_ = _e1256;
+                                        phi_3209_ = _e1254;
+                                    } else {
+                                        phi_3337_ = _e568;
+                                        phi_3209_ = _e570;
+                                    }
+                                    let _e1258 = phi_3337_;
+                                    let _e1260 = phi_3209_;
+                                    if _e599 {
+                                        phi_2722_ = bool();
+                                        phi_2723_ = u32();
+                                        phi_2724_ = u32();
                                     } else {
                                         if (_e596 >= _e78) {
-                                            phi_2313_ = type_39(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_2306_ = type_39(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e596 < _e78) {
                                             } else {
-                                                phi_3207_ = true;
+                                                phi_3302_ = true;
                                                 break;
                                             }
-                                            let _e606 = (_e206 % 3u);
-                                            if (_e606 < 3u) {
+                                            let _e1263 = (_e206 % 3u);
+                                            if (_e1263 < 3u) {
                                             } else {
-                                                phi_3207_ = true;
+                                                phi_3302_ = true;
                                                 break;
                                             }
-                                            let _e612 = global_2.member[_e596].member[_e606];
-                                            let _e618 = (_e205 % 3u);
-                                            if (_e618 < 3u) {
+                                            let _e1269 = global_2.member[_e596].member[_e1263];
+                                            let _e1275 = (_e205 % 3u);
+                                            if (_e1275 < 3u) {
                                             } else {
-                                                phi_3207_ = true;
+                                                phi_3302_ = true;
                                                 break;
                                             }
-                                            let _e624 = global_2.member[_e596].member[_e618];
-                                            let _e630 = (_e207 % 3u);
-                                            if (_e630 < 3u) {
+                                            let _e1281 = global_2.member[_e596].member[_e1275];
+                                            let _e1287 = (_e207 % 3u);
+                                            if (_e1287 < 3u) {
                                             } else {
-                                                phi_3207_ = true;
+                                                phi_3302_ = true;
                                                 break;
                                             }
-                                            let _e636 = global_2.member[_e596].member[_e630];
-                                            let _e646 = global_2.member[_e596].member_1;
-                                            let _e650 = global_2.member[_e596].member_2;
-                                            phi_2313_ = type_39(array<vec4<f32>, 3>(vec4<f32>(_e612[0], _e612[1], _e612[2], _e612[3]), vec4<f32>(_e624[0], _e624[1], _e624[2], _e624[3]), vec4<f32>(_e636[0], _e636[1], _e636[2], _e636[3])), _e646, _e650);
+                                            let _e1293 = global_2.member[_e596].member[_e1287];
+                                            let _e1303 = global_2.member[_e596].member_1;
+                                            let _e1307 = global_2.member[_e596].member_2;
+                                            phi_2306_ = type_39(array<vec4<f32>, 3>(vec4<f32>(_e1269[0], _e1269[1], _e1269[2], _e1269[3]), vec4<f32>(_e1281[0], _e1281[1], _e1281[2], _e1281[3]), vec4<f32>(_e1293[0], _e1293[1], _e1293[2], _e1293[3])), _e1303, _e1307);
                                         }
-                                        let _e653 = phi_2313_;
-                                        let _e664 = ((_e653.member[0].x - _e308) * _e313);
-                                        let _e665 = ((_e653.member[0].y - _e308) * _e313);
-                                        let _e666 = ((_e653.member[0].z - _e309) * _e313);
-                                        let _e667 = ((_e653.member[0].w - _e309) * _e313);
-                                        let _e677 = ((_e653.member[1].x - _e376) * _e381);
-                                        let _e678 = ((_e653.member[1].y - _e376) * _e381);
-                                        let _e679 = ((_e653.member[1].z - _e377) * _e381);
-                                        let _e680 = ((_e653.member[1].w - _e377) * _e381);
-                                        let _e690 = ((_e653.member[2].x - _e444) * _e449);
-                                        let _e691 = ((_e653.member[2].y - _e444) * _e449);
-                                        let _e692 = ((_e653.member[2].z - _e445) * _e449);
-                                        let _e693 = ((_e653.member[2].w - _e445) * _e449);
-                                        let _e695 = select(_e692, _e690, (_e690 < _e692));
-                                        let _e697 = select(_e693, _e691, (_e691 < _e693));
-                                        let _e699 = select(_e692, _e690, (_e690 > _e692));
-                                        let _e701 = select(_e693, _e691, (_e691 > _e693));
-                                        let _e703 = select(_e666, _e664, (_e664 < _e666));
-                                        let _e705 = select(_e667, _e665, (_e665 < _e667));
-                                        let _e707 = select(_e679, _e677, (_e677 < _e679));
-                                        let _e709 = select(_e680, _e678, (_e678 < _e680));
-                                        let _e711 = select(_e707, _e703, (_e703 > _e707));
-                                        let _e713 = select(_e709, _e705, (_e705 > _e709));
-                                        let _e715 = select(_e695, _e711, (_e711 > _e695));
-                                        let _e717 = select(_e697, _e713, (_e713 > _e697));
-                                        let _e719 = select(_e666, _e664, (_e664 > _e666));
-                                        let _e721 = select(_e667, _e665, (_e665 > _e667));
-                                        let _e723 = select(_e679, _e677, (_e677 > _e679));
-                                        let _e725 = select(_e680, _e678, (_e678 > _e680));
-                                        let _e727 = select(_e723, _e719, (_e719 < _e723));
-                                        let _e729 = select(_e725, _e721, (_e721 < _e725));
-                                        let _e734 = -(_e695);
-                                        let _e735 = -(_e697);
-                                        let _e742 = (select(_e699, _e727, (_e727 < _e699)) + (select(_e734, _e699, (_e699 > _e734)) * 0.0000019073523f));
-                                        let _e743 = (select(_e701, _e729, (_e729 < _e701)) + (select(_e735, _e701, (_e701 > _e735)) * 0.0000019073523f));
-                                        let _e745 = select(_e561, _e715, (_e715 > _e561));
-                                        let _e747 = select(_e561, _e717, (_e717 > _e561));
-                                        let _e752 = (_e745 <= select(_e570, _e742, (_e742 < _e570)));
-                                        let _e753 = (_e747 <= select(_e570, _e743, (_e743 < _e570)));
-                                        let _e754 = (_e745 <= _e747);
-                                        if _e752 {
-                                            if _e753 {
-                                                if _e754 {
-                                                    phi_2676_ = _e653.member_2;
+                                        let _e1310 = phi_2306_;
+                                        let _e1321 = ((_e1310.member[0].x - _e308) * _e313);
+                                        let _e1322 = ((_e1310.member[0].y - _e308) * _e313);
+                                        let _e1323 = ((_e1310.member[0].z - _e309) * _e313);
+                                        let _e1324 = ((_e1310.member[0].w - _e309) * _e313);
+                                        let _e1334 = ((_e1310.member[1].x - _e376) * _e381);
+                                        let _e1335 = ((_e1310.member[1].y - _e376) * _e381);
+                                        let _e1336 = ((_e1310.member[1].z - _e377) * _e381);
+                                        let _e1337 = ((_e1310.member[1].w - _e377) * _e381);
+                                        let _e1347 = ((_e1310.member[2].x - _e444) * _e449);
+                                        let _e1348 = ((_e1310.member[2].y - _e444) * _e449);
+                                        let _e1349 = ((_e1310.member[2].z - _e445) * _e449);
+                                        let _e1350 = ((_e1310.member[2].w - _e445) * _e449);
+                                        let _e1352 = select(_e1349, _e1347, (_e1347 < _e1349));
+                                        let _e1354 = select(_e1350, _e1348, (_e1348 < _e1350));
+                                        let _e1356 = select(_e1349, _e1347, (_e1347 > _e1349));
+                                        let _e1358 = select(_e1350, _e1348, (_e1348 > _e1350));
+                                        let _e1360 = select(_e1323, _e1321, (_e1321 < _e1323));
+                                        let _e1362 = select(_e1324, _e1322, (_e1322 < _e1324));
+                                        let _e1364 = select(_e1336, _e1334, (_e1334 < _e1336));
+                                        let _e1366 = select(_e1337, _e1335, (_e1335 < _e1337));
+                                        let _e1368 = select(_e1364, _e1360, (_e1360 > _e1364));
+                                        let _e1370 = select(_e1366, _e1362, (_e1362 > _e1366));
+                                        let _e1372 = select(_e1352, _e1368, (_e1368 > _e1352));
+                                        let _e1374 = select(_e1354, _e1370, (_e1370 > _e1354));
+                                        let _e1376 = select(_e1323, _e1321, (_e1321 > _e1323));
+                                        let _e1378 = select(_e1324, _e1322, (_e1322 > _e1324));
+                                        let _e1380 = select(_e1336, _e1334, (_e1334 > _e1336));
+                                        let _e1382 = select(_e1337, _e1335, (_e1335 > _e1337));
+                                        let _e1384 = select(_e1380, _e1376, (_e1376 < _e1380));
+                                        let _e1386 = select(_e1382, _e1378, (_e1378 < _e1382));
+                                        let _e1391 = -(_e1352);
+                                        let _e1392 = -(_e1354);
+                                        let _e1399 = (select(_e1356, _e1384, (_e1384 < _e1356)) + (select(_e1391, _e1356, (_e1356 > _e1391)) * 0.0000019073523f));
+                                        let _e1400 = (select(_e1358, _e1386, (_e1386 < _e1358)) + (select(_e1392, _e1358, (_e1358 > _e1392)) * 0.0000019073523f));
+                                        let _e1402 = select(_e561, _e1372, (_e1372 > _e561));
+                                        let _e1404 = select(_e561, _e1374, (_e1374 > _e561));
+                                        let _e1409 = (_e1402 <= select(_e1260, _e1399, (_e1399 < _e1260)));
+                                        let _e1410 = (_e1404 <= select(_e1260, _e1400, (_e1400 < _e1260)));
+                                        let _e1411 = (_e1402 <= _e1404);
+                                        if _e1409 {
+                                            if _e1410 {
+                                                if _e1411 {
+                                                    phi_2669_ = _e1310.member_2;
                                                 } else {
-                                                    phi_2676_ = _e653.member_1;
+                                                    phi_2669_ = _e1310.member_1;
                                                 }
-                                                let _e758 = phi_2676_;
-                                                let _e761 = (_e594 % 128u);
-                                                let _e762 = (_e761 < 128u);
-                                                if _e762 {
+                                                let _e1415 = phi_2669_;
+                                                let _e1417 = (_e594 % 128u);
+                                                let _e1418 = (_e1417 < 128u);
+                                                if _e1418 {
                                                 } else {
-                                                    phi_3207_ = true;
+                                                    phi_3302_ = true;
                                                     break;
                                                 }
-                                                local_2[_e761] = _e758;
-                                                if _e762 {
+                                                local_2[_e1417] = _e1415;
+                                                if _e1418 {
                                                 } else {
-                                                    phi_3207_ = true;
+                                                    phi_3302_ = true;
                                                     break;
                                                 }
-                                                local_1[_e761] = select(_e747, _e745, !(_e754));
-                                                if _e754 {
-                                                    phi_2704_ = _e653.member_1;
+                                                local_1[_e1417] = select(_e1402, _e1404, _e1411);
+                                                if _e1411 {
+                                                    phi_2696_ = _e1310.member_1;
                                                 } else {
-                                                    phi_2704_ = _e653.member_2;
+                                                    phi_2696_ = _e1310.member_2;
                                                 }
-                                                let _e769 = phi_2704_;
-                                                phi_2705_ = (_e594 + 1u);
-                                                phi_2706_ = _e769;
+                                                let _e1425 = phi_2696_;
+                                                phi_2697_ = (_e594 + 1u);
+                                                phi_2698_ = _e1425;
                                             } else {
-                                                phi_2705_ = u32();
-                                                phi_2706_ = u32();
+                                                phi_2697_ = u32();
+                                                phi_2698_ = u32();
                                             }
-                                            let _e771 = phi_2705_;
-                                            let _e773 = phi_2706_;
-                                            phi_2708_ = _e771;
-                                            phi_2709_ = _e773;
-                                            phi_2710_ = select(true, false, _e753);
+                                            let _e1427 = phi_2697_;
+                                            let _e1429 = phi_2698_;
+                                            phi_2700_ = _e1427;
+                                            phi_2701_ = _e1429;
+                                            phi_2702_ = select(true, false, _e1410);
                                         } else {
-                                            phi_2708_ = u32();
-                                            phi_2709_ = u32();
-                                            phi_2710_ = true;
+                                            phi_2700_ = u32();
+                                            phi_2701_ = u32();
+                                            phi_2702_ = true;
                                         }
-                                        let _e776 = phi_2708_;
-                                        let _e778 = phi_2709_;
-                                        let _e780 = phi_2710_;
-                                        if _e780 {
-                                            if _e752 {
-                                                phi_2719_ = _e653.member_1;
+                                        let _e1432 = phi_2700_;
+                                        let _e1434 = phi_2701_;
+                                        let _e1436 = phi_2702_;
+                                        if _e1436 {
+                                            if _e1409 {
+                                                phi_2711_ = _e1310.member_1;
                                             } else {
-                                                phi_2719_ = _e653.member_2;
+                                                phi_2711_ = _e1310.member_2;
                                             }
-                                            let _e784 = phi_2719_;
-                                            phi_2724_ = select(_e753, true, _e752);
-                                            phi_2726_ = _e784;
+                                            let _e1440 = phi_2711_;
+                                            phi_2716_ = select(_e1410, true, _e1409);
+                                            phi_2718_ = _e1440;
                                         } else {
-                                            phi_2724_ = _e592;
-                                            phi_2726_ = _e778;
+                                            phi_2716_ = _e592;
+                                            phi_2718_ = _e1434;
                                         }
-                                        let _e787 = phi_2724_;
-                                        let _e789 = phi_2726_;
-                                        phi_3268_ = _e570;
-                                        phi_3211_ = _e568;
-                                        phi_2730_ = _e787;
-                                        phi_2731_ = select(_e776, _e594, _e780);
-                                        phi_2732_ = _e789;
+                                        let _e1443 = phi_2716_;
+                                        let _e1445 = phi_2718_;
+                                        phi_2722_ = _e1443;
+                                        phi_2723_ = select(_e1432, _e594, _e1436);
+                                        phi_2724_ = _e1445;
                                     }
-                                    let _e1445 = phi_3268_;
-                                    let _e1447 = phi_3211_;
-                                    let _e1449 = phi_2730_;
-                                    let _e1451 = phi_2731_;
-                                    let _e1453 = phi_2732_;
-                                    phi_3267_ = _e1445;
-                                    phi_3210_ = _e1447;
-                                    phi_2733_ = _e1449;
-                                    phi_2734_ = (_e574 - 1u);
-                                    phi_2735_ = _e1451;
-                                    phi_2736_ = _e1453;
+                                    let _e1448 = phi_2722_;
+                                    let _e1450 = phi_2723_;
+                                    let _e1452 = phi_2724_;
+                                    phi_3364_ = _e1260;
+                                    phi_3305_ = _e1258;
+                                    phi_2735_ = (_e572 - 1u);
+                                    phi_2736_ = select(_e1448, false, _e599);
+                                    phi_2737_ = select(_e1450, _e594, _e599);
+                                    phi_2738_ = select(_e1452, _e596, _e599);
                                 } else {
-                                    phi_3267_ = _e570;
-                                    phi_3210_ = _e568;
-                                    phi_2733_ = _e592;
-                                    phi_2734_ = _e574;
-                                    phi_2735_ = _e594;
-                                    phi_2736_ = _e596;
+                                    phi_3364_ = _e570;
+                                    phi_3305_ = _e568;
+                                    phi_2735_ = _e572;
+                                    phi_2736_ = _e592;
+                                    phi_2737_ = _e594;
+                                    phi_2738_ = _e596;
                                 }
-                                let _e1455 = phi_3267_;
-                                let _e1457 = phi_3210_;
-                                let _e1459 = phi_2733_;
-                                let _e1461 = phi_2734_;
-                                let _e1463 = phi_2735_;
-                                let _e1465 = phi_2736_;
-                                phi_3266_ = _e1455;
-                                phi_3209_ = _e1457;
-                                phi_2737_ = _e1459;
-                                phi_2738_ = _e1461;
-                                phi_2739_ = _e1463;
-                                phi_2740_ = _e1465;
+                                let _e1457 = phi_3364_;
+                                let _e1459 = phi_3305_;
+                                let _e1461 = phi_2735_;
+                                let _e1463 = phi_2736_;
+                                let _e1465 = phi_2737_;
+                                let _e1467 = phi_2738_;
+                                phi_3363_ = _e1457;
+                                phi_3304_ = _e1459;
+                                phi_2739_ = _e1461;
+                                phi_2740_ = _e1463;
+                                phi_2741_ = _e1465;
+                                phi_2742_ = _e1467;
                             } else {
-                                phi_3266_ = _e570;
-                                phi_3209_ = _e568;
-                                phi_2737_ = bool();
-                                phi_2738_ = u32();
+                                phi_3363_ = _e570;
+                                phi_3304_ = _e568;
                                 phi_2739_ = u32();
-                                phi_2740_ = u32();
+                                phi_2740_ = bool();
+                                phi_2741_ = u32();
+                                phi_2742_ = u32();
                             }
-                            let _e1467 = phi_3266_;
-                            let _e1469 = phi_3209_;
-                            let _e1471 = phi_2737_;
-                            let _e1473 = phi_2738_;
-                            let _e1475 = phi_2739_;
-                            let _e1477 = phi_2740_;
-                            phi_3265_ = _e1467;
-                            phi_3208_ = _e1469;
-                            phi_1036_ = _e1471;
-                            phi_1039_ = _e1473;
-                            phi_1041_ = _e1475;
-                            phi_1043_ = _e1477;
-                            phi_2741_ = _e582;
+                            let _e1469 = phi_3363_;
+                            let _e1471 = phi_3304_;
+                            let _e1473 = phi_2739_;
+                            let _e1475 = phi_2740_;
+                            let _e1477 = phi_2741_;
+                            let _e1479 = phi_2742_;
+                            phi_3362_ = _e1469;
+                            phi_3303_ = _e1471;
+                            phi_1034_ = _e1473;
+                            phi_1037_ = _e1475;
+                            phi_1039_ = _e1477;
+                            phi_1041_ = _e1479;
+                            phi_2743_ = _e582;
                         } else {
-                            phi_3265_ = _e570;
-                            phi_3208_ = _e568;
-                            phi_1036_ = bool();
+                            phi_3362_ = _e570;
+                            phi_3303_ = _e568;
+                            phi_1034_ = u32();
+                            phi_1037_ = bool();
                             phi_1039_ = u32();
                             phi_1041_ = u32();
-                            phi_1043_ = u32();
-                            phi_2741_ = false;
+                            phi_2743_ = false;
                         }
-                        let _e1479 = phi_3265_;
-                        let _e1481 = phi_3208_;
-                        let _e1483 = phi_1036_;
-                        let _e1485 = phi_1039_;
-                        let _e1487 = phi_1041_;
-                        let _e1489 = phi_1043_;
-                        let _e1491 = phi_2741_;
+                        let _e1481 = phi_3362_;
+                        let _e1483 = phi_3303_;
+                        let _e1485 = phi_1034_;
+                        let _e1487 = phi_1037_;
+                        let _e1489 = phi_1039_;
+                        let _e1491 = phi_1041_;
+                        let _e1493 = phi_2743_;
                         continue;
                         continuing {
-                            phi_3054_ = _e1481;
-                            phi_3035_ = _e1479;
-                            phi_1035_ = _e1483;
-                            phi_1038_ = _e1485;
-                            phi_1040_ = _e1487;
-                            phi_1042_ = _e1489;
-                            phi_3207_ = _e1481;
-                            break if !(_e1491);
+                            phi_3055_ = _e1483;
+                            phi_3036_ = _e1481;
+                            phi_1033_ = _e1485;
+                            phi_1036_ = _e1487;
+                            phi_1038_ = _e1489;
+                            phi_1040_ = _e1491;
+                            phi_3302_ = _e1483;
+                            break if !(_e1493);
                         }
                     }
-                    let _e1494 = phi_3207_;
-                    if _e1494 {
+                    let _e1496 = phi_3302_;
+                    if _e1496 {
                         break;
                     }
-                    phi_2748_ = type_4(0u, 8u);
+                    phi_2750_ = type_4(0u, 8u);
                     loop {
-                        let _e1496 = phi_2748_;
-                        if (_e1496.member < _e1496.member_1) {
-                            phi_2749_ = type_4((_e1496.member + 1u), _e1496.member_1);
-                            phi_2772_ = type_4(1u, _e1496.member);
+                        let _e1498 = phi_2750_;
+                        if (_e1498.member < _e1498.member_1) {
+                            phi_2751_ = type_4((_e1498.member + 1u), _e1498.member_1);
+                            phi_2774_ = type_4(1u, _e1498.member);
                         } else {
-                            phi_2749_ = _e1496;
-                            phi_2772_ = type_4(0u, type_4().member_1);
+                            phi_2751_ = _e1498;
+                            phi_2774_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1509 = phi_2749_;
-                        let _e1511 = phi_2772_;
-                        let _e1515 = (bitcast<i32>(_e1511.member) != 0i);
-                        if _e1515 {
-                            let _e1516 = (_e1511.member_1 < 8u);
-                            if _e1516 {
+                        let _e1511 = phi_2751_;
+                        let _e1513 = phi_2774_;
+                        let _e1517 = (bitcast<i32>(_e1513.member) != 0i);
+                        if _e1517 {
+                            let _e1518 = (_e1513.member_1 < 8u);
+                            if _e1518 {
                             } else {
-                                phi_3247_ = true;
+                                phi_3344_ = true;
                                 break;
                             }
-                            let _e1518 = local[_e1511.member_1];
-                            if (_e1518.member_3 != 4294967295u) {
-                                let _e1524 = -(_e463);
-                                let _e1525 = bitcast<u32>(_e1518.member);
-                                let _e1529 = (bitcast<i32>((_e1525 >> bitcast<u32>(23i))) & 255i);
-                                let _e1530 = (_e1529 + _e1524);
-                                if (_e1529 == 255i) {
-                                    phi_2845_ = _e1518.member;
+                            let _e1520 = local[_e1513.member_1];
+                            if (_e1520.member_3 != 4294967295u) {
+                                let _e1526 = -(_e463);
+                                let _e1527 = bitcast<u32>(_e1520.member);
+                                let _e1531 = (bitcast<i32>((_e1527 >> bitcast<u32>(23i))) & 255i);
+                                let _e1532 = (_e1531 + _e1526);
+                                if (_e1531 == 255i) {
+                                    phi_2847_ = _e1520.member;
                                 } else {
-                                    if (_e1529 > 0i) {
-                                        if (_e1530 > 0i) {
-                                            let _e1534 = (_e1530 < 255i);
-                                            if _e1534 {
-                                                phi_2824_ = bitcast<f32>((_e1525 + bitcast<u32>((_e1524 << bitcast<u32>(23i)))));
+                                    if (_e1531 > 0i) {
+                                        if (_e1532 > 0i) {
+                                            let _e1536 = (_e1532 < 255i);
+                                            if _e1536 {
+                                                phi_2826_ = bitcast<f32>((_e1527 + bitcast<u32>((_e1526 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_2824_ = f32();
+                                                phi_2826_ = f32();
                                             }
-                                            let _e1541 = phi_2824_;
-                                            phi_2826_ = _e1541;
-                                            phi_2827_ = select(true, false, _e1534);
+                                            let _e1543 = phi_2826_;
+                                            phi_2828_ = _e1543;
+                                            phi_2829_ = select(true, false, _e1536);
                                         } else {
-                                            phi_2826_ = f32();
-                                            phi_2827_ = true;
+                                            phi_2828_ = f32();
+                                            phi_2829_ = true;
                                         }
-                                        let _e1544 = phi_2826_;
-                                        let _e1546 = phi_2827_;
-                                        phi_2828_ = _e1544;
-                                        phi_2829_ = _e1546;
+                                        let _e1546 = phi_2828_;
+                                        let _e1548 = phi_2829_;
+                                        phi_2830_ = _e1546;
+                                        phi_2831_ = _e1548;
                                     } else {
-                                        phi_2828_ = f32();
-                                        phi_2829_ = true;
+                                        phi_2830_ = f32();
+                                        phi_2831_ = true;
                                     }
-                                    let _e1548 = phi_2828_;
-                                    let _e1550 = phi_2829_;
-                                    if _e1550 {
-                                        let _e1551 = (_e1525 & 2147483648u);
-                                        let _e1558 = ((_e1525 & 8388607u) | (select(0u, 1u, ((_e1525 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1562 = (_e1558 == 0u);
-                                        if _e1562 {
-                                            phi_3018_ = bitcast<f32>(_e1551);
+                                    let _e1550 = phi_2830_;
+                                    let _e1552 = phi_2831_;
+                                    if _e1552 {
+                                        let _e1553 = (_e1527 & 2147483648u);
+                                        let _e1560 = ((_e1527 & 8388607u) | (select(0u, 1u, ((_e1527 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1564 = (_e1560 == 0u);
+                                        if _e1564 {
+                                            phi_3020_ = bitcast<f32>(_e1553);
                                         } else {
-                                            let _e1567 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1558)), 32u, _e1562) - 8u);
-                                            let _e1570 = (_e1558 << bitcast<u32>((_e1567 & 31u)));
-                                            let _e1572 = ((_e1530 + select(0i, 1i, (_e1529 == 0i))) - bitcast<i32>(_e1567));
-                                            if (_e1572 >= 255i) {
-                                                phi_3008_ = bitcast<f32>((_e1551 | 2139095040u));
-                                                phi_3009_ = f32();
-                                                phi_3010_ = true;
+                                            let _e1569 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1560)), 32u, _e1564) - 8u);
+                                            let _e1572 = (_e1560 << bitcast<u32>((_e1569 & 31u)));
+                                            let _e1574 = ((_e1532 + select(0i, 1i, (_e1531 == 0i))) - bitcast<i32>(_e1569));
+                                            if (_e1574 >= 255i) {
+                                                phi_3010_ = bitcast<f32>((_e1553 | 2139095040u));
+                                                phi_3011_ = f32();
+                                                phi_3012_ = true;
                                             } else {
-                                                let _e1574 = (_e1572 > 0i);
-                                                if _e1574 {
-                                                    phi_3002_ = bitcast<f32>(((_e1551 | (bitcast<u32>(_e1572) << bitcast<u32>(23i))) | (_e1570 & 8388607u)));
-                                                    phi_3003_ = f32();
+                                                let _e1576 = (_e1574 > 0i);
+                                                if _e1576 {
+                                                    phi_3004_ = bitcast<f32>(((_e1553 | (bitcast<u32>(_e1574) << bitcast<u32>(23i))) | (_e1572 & 8388607u)));
+                                                    phi_3005_ = f32();
                                                 } else {
-                                                    if (_e1572 < -24i) {
-                                                        phi_2968_ = 26u;
+                                                    if (_e1574 < -24i) {
+                                                        phi_2970_ = 26u;
                                                     } else {
-                                                        phi_2968_ = bitcast<u32>((1i - _e1572));
+                                                        phi_2970_ = bitcast<u32>((1i - _e1574));
                                                     }
-                                                    let _e1579 = phi_2968_;
-                                                    let _e1580 = (_e1579 & 31u);
-                                                    let _e1582 = (_e1570 >> bitcast<u32>(_e1580));
-                                                    let _e1586 = (_e1570 & ((1u << bitcast<u32>(_e1580)) - 1u));
-                                                    let _e1590 = (1u << bitcast<u32>(((_e1579 - 1u) & 31u)));
-                                                    if (_e1586 > _e1590) {
-                                                        phi_2989_ = true;
+                                                    let _e1581 = phi_2970_;
+                                                    let _e1582 = (_e1581 & 31u);
+                                                    let _e1584 = (_e1572 >> bitcast<u32>(_e1582));
+                                                    let _e1588 = (_e1572 & ((1u << bitcast<u32>(_e1582)) - 1u));
+                                                    let _e1592 = (1u << bitcast<u32>(((_e1581 - 1u) & 31u)));
+                                                    if (_e1588 > _e1592) {
+                                                        phi_2991_ = true;
                                                     } else {
-                                                        if (_e1586 == _e1590) {
-                                                            phi_2986_ = ((_e1582 & 1u) == 1u);
+                                                        if (_e1588 == _e1592) {
+                                                            phi_2988_ = ((_e1584 & 1u) == 1u);
                                                         } else {
-                                                            phi_2986_ = false;
+                                                            phi_2988_ = false;
                                                         }
-                                                        let _e1596 = phi_2986_;
-                                                        phi_2989_ = _e1596;
+                                                        let _e1598 = phi_2988_;
+                                                        phi_2991_ = _e1598;
                                                     }
-                                                    let _e1598 = phi_2989_;
-                                                    phi_3002_ = f32();
-                                                    phi_3003_ = bitcast<f32>((_e1551 | (_e1582 + select(0u, 1u, _e1598))));
+                                                    let _e1600 = phi_2991_;
+                                                    phi_3004_ = f32();
+                                                    phi_3005_ = bitcast<f32>((_e1553 | (_e1584 + select(0u, 1u, _e1600))));
                                                 }
-                                                let _e1611 = phi_3002_;
-                                                let _e1613 = phi_3003_;
-                                                phi_3008_ = _e1611;
-                                                phi_3009_ = _e1613;
-                                                phi_3010_ = _e1574;
+                                                let _e1613 = phi_3004_;
+                                                let _e1615 = phi_3005_;
+                                                phi_3010_ = _e1613;
+                                                phi_3011_ = _e1615;
+                                                phi_3012_ = _e1576;
                                             }
-                                            let _e1617 = phi_3008_;
-                                            let _e1619 = phi_3009_;
-                                            let _e1621 = phi_3010_;
-                                            phi_3018_ = select(_e1619, _e1617, _e1621);
+                                            let _e1619 = phi_3010_;
+                                            let _e1621 = phi_3011_;
+                                            let _e1623 = phi_3012_;
+                                            phi_3020_ = select(_e1621, _e1619, _e1623);
                                         }
-                                        let _e1625 = phi_3018_;
-                                        phi_2844_ = _e1625;
+                                        let _e1627 = phi_3020_;
+                                        phi_2846_ = _e1627;
                                     } else {
-                                        phi_2844_ = _e1548;
+                                        phi_2846_ = _e1550;
                                     }
-                                    let _e1627 = phi_2844_;
-                                    phi_2845_ = _e1627;
+                                    let _e1629 = phi_2846_;
+                                    phi_2847_ = _e1629;
                                 }
-                                let _e1629 = phi_2845_;
-                                let _e1630 = bitcast<u32>(_e1629);
-                                if ((_e1630 & 2147483647u) >= 2139095040u) {
-                                    phi_2857_ = bitcast<f32>(((_e1630 & 2147483648u) | 2139095039u));
+                                let _e1631 = phi_2847_;
+                                let _e1632 = bitcast<u32>(_e1631);
+                                if ((_e1632 & 2147483647u) >= 2139095040u) {
+                                    phi_2859_ = bitcast<f32>(((_e1632 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_2857_ = _e1629;
+                                    phi_2859_ = _e1631;
                                 }
-                                let _e1637 = phi_2857_;
-                                phi_2862_ = type_23(_e1637, _e1518.member_1, _e1518.member_2, _e1518.member_3);
+                                let _e1639 = phi_2859_;
+                                phi_2864_ = type_23(_e1639, _e1520.member_1, _e1520.member_2, _e1520.member_3);
                             } else {
-                                phi_2862_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_2864_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1640 = phi_2862_;
-                            if _e1516 {
+                            let _e1642 = phi_2864_;
+                            if _e1518 {
                             } else {
-                                phi_3247_ = true;
+                                phi_3344_ = true;
                                 break;
                             }
-                            local[_e1511.member_1] = type_23(_e1640.member, _e1640.member_1, _e1640.member_2, _e1640.member_3);
+                            local[_e1513.member_1] = type_23(_e1642.member, _e1642.member_1, _e1642.member_2, _e1642.member_3);
                         }
                         continue;
                         continuing {
-                            phi_2748_ = _e1509;
-                            phi_3247_ = _e1494;
-                            break if !(_e1515);
+                            phi_2750_ = _e1511;
+                            phi_3344_ = _e1496;
+                            break if !(_e1517);
                         }
                     }
-                    let _e1648 = phi_3247_;
-                    if _e1648 {
+                    let _e1650 = phi_3344_;
+                    if _e1650 {
                         break;
                     }
-                    let _e1649 = local;
+                    let _e1651 = local;
                     if _e94 {
                     } else {
                         break;
                     }
-                    global_5.member[_e88] = array<type_23, 8>(type_23(_e1649[0].member, _e1649[0].member_1, _e1649[0].member_2, _e1649[0].member_3), type_23(_e1649[1].member, _e1649[1].member_1, _e1649[1].member_2, _e1649[1].member_3), type_23(_e1649[2].member, _e1649[2].member_1, _e1649[2].member_2, _e1649[2].member_3), type_23(_e1649[3].member, _e1649[3].member_1, _e1649[3].member_2, _e1649[3].member_3), type_23(_e1649[4].member, _e1649[4].member_1, _e1649[4].member_2, _e1649[4].member_3), type_23(_e1649[5].member, _e1649[5].member_1, _e1649[5].member_2, _e1649[5].member_3), type_23(_e1649[6].member, _e1649[6].member_1, _e1649[6].member_2, _e1649[6].member_3), type_23(_e1649[7].member, _e1649[7].member_1, _e1649[7].member_2, _e1649[7].member_3));
+                    global_5.member[_e88] = array<type_23, 8>(type_23(_e1651[0].member, _e1651[0].member_1, _e1651[0].member_2, _e1651[0].member_3), type_23(_e1651[1].member, _e1651[1].member_1, _e1651[1].member_2, _e1651[1].member_3), type_23(_e1651[2].member, _e1651[2].member_1, _e1651[2].member_2, _e1651[2].member_3), type_23(_e1651[3].member, _e1651[3].member_1, _e1651[3].member_2, _e1651[3].member_3), type_23(_e1651[4].member, _e1651[4].member_1, _e1651[4].member_2, _e1651[4].member_3), type_23(_e1651[5].member, _e1651[5].member_1, _e1651[5].member_2, _e1651[5].member_3), type_23(_e1651[6].member, _e1651[6].member_1, _e1651[6].member_2, _e1651[6].member_3), type_23(_e1651[7].member, _e1651[7].member_1, _e1651[7].member_2, _e1651[7].member_3));
                 }
             }
             break;

@@ -124,134 +124,135 @@ fn function_() {
     var phi_1014_: u32;
     var phi_1022_: f32;
     var phi_1023_: f32;
-    var phi_3813_: bool;
-    var phi_3770_: f32;
-    var phi_1161_: bool;
+    var phi_3790_: bool;
+    var phi_3771_: f32;
+    var phi_1159_: u32;
+    var phi_1162_: bool;
     var phi_1164_: u32;
-    var phi_1166_: u32;
-    var phi_1168_: type_51;
-    var phi_1179_: bool;
-    var phi_1266_: bool;
-    var phi_1267_: u32;
-    var phi_1268_: type_51;
-    var phi_2452_: type_44;
-    var phi_3339_: type_51;
-    var phi_3416_: type_51;
-    var phi_3417_: u32;
-    var phi_3418_: type_51;
-    var phi_3420_: u32;
-    var phi_3421_: type_51;
-    var phi_3422_: bool;
-    var phi_3429_: type_51;
-    var phi_3434_: bool;
-    var phi_3436_: type_51;
-    var phi_3810_: bool;
-    var phi_3800_: f32;
-    var phi_1286_: type_4;
-    var phi_1287_: type_4;
-    var phi_1310_: type_4;
-    var phi_1331_: u32;
-    var phi_1423_: array<array<f32, 3>, 3>;
-    var phi_1576_: bool;
-    var phi_1605_: bool;
+    var phi_1166_: type_51;
+    var phi_1177_: bool;
+    var phi_1264_: bool;
+    var phi_1265_: u32;
+    var phi_1266_: type_51;
+    var phi_3787_: bool;
+    var phi_3776_: f32;
+    var phi_1284_: type_4;
+    var phi_1285_: type_4;
+    var phi_1308_: type_4;
+    var phi_1329_: u32;
+    var phi_1421_: array<array<f32, 3>, 3>;
+    var phi_1574_: bool;
+    var phi_1603_: bool;
+    var phi_2022_: f32;
+    var phi_2023_: f32;
     var phi_2024_: f32;
     var phi_2025_: f32;
-    var phi_2026_: f32;
-    var phi_2027_: f32;
+    var phi_2026_: vec3<f32>;
+    var phi_2027_: vec3<f32>;
     var phi_2028_: vec3<f32>;
     var phi_2029_: vec3<f32>;
-    var phi_2030_: vec3<f32>;
-    var phi_2031_: vec3<f32>;
-    var phi_2068_: bool;
-    var phi_2077_: vec3<f32>;
+    var phi_2066_: bool;
+    var phi_2075_: vec3<f32>;
+    var phi_2240_: f32;
     var phi_2242_: f32;
-    var phi_2244_: f32;
-    var phi_2245_: bool;
-    var phi_2265_: f32;
-    var phi_2266_: f32;
+    var phi_2243_: bool;
+    var phi_2263_: f32;
+    var phi_2264_: f32;
+    var phi_2287_: type_22;
     var phi_2289_: type_22;
-    var phi_2291_: type_22;
-    var phi_2292_: bool;
+    var phi_2290_: bool;
+    var phi_2294_: type_22;
+    var phi_2295_: type_22;
     var phi_2296_: type_22;
-    var phi_2297_: type_22;
-    var phi_2298_: type_22;
-    var phi_2299_: bool;
+    var phi_2297_: bool;
+    var phi_2301_: type_22;
+    var phi_2302_: bool;
     var phi_2303_: type_22;
     var phi_2304_: bool;
-    var phi_2305_: type_22;
-    var phi_2306_: bool;
+    var phi_2305_: bool;
+    var phi_2306_: type_22;
     var phi_2307_: bool;
-    var phi_2308_: type_22;
-    var phi_2309_: bool;
-    var phi_2310_: bool;
-    var phi_2318_: type_22;
-    var phi_2319_: bool;
-    var phi_2323_: type_22;
-    var phi_2335_: type_4;
-    var phi_2338_: type_22;
-    var phi_2336_: type_4;
-    var phi_2361_: type_4;
-    var phi_2393_: bool;
-    var phi_2394_: bool;
-    var phi_2415_: type_22;
-    var phi_2339_: type_22;
-    var phi_3801_: bool;
-    var phi_4177_: f32;
-    var phi_4176_: f32;
-    var phi_3964_: bool;
-    var phi_4175_: f32;
-    var phi_3963_: bool;
-    var phi_4174_: f32;
-    var phi_3962_: bool;
-    var phi_4086_: f32;
-    var phi_3961_: bool;
-    var phi_4051_: f32;
-    var phi_3970_: bool;
-    var phi_3440_: bool;
-    var phi_3441_: u32;
-    var phi_3442_: type_51;
-    var phi_4050_: f32;
-    var phi_3969_: bool;
-    var phi_3443_: bool;
-    var phi_3444_: u32;
+    var phi_2308_: bool;
+    var phi_2316_: type_22;
+    var phi_2317_: bool;
+    var phi_2321_: type_22;
+    var phi_2333_: type_4;
+    var phi_2336_: type_22;
+    var phi_2334_: type_4;
+    var phi_2359_: type_4;
+    var phi_2391_: bool;
+    var phi_2392_: bool;
+    var phi_2413_: type_22;
+    var phi_2337_: type_22;
+    var phi_3778_: bool;
+    var phi_4060_: f32;
+    var phi_4059_: f32;
+    var phi_3941_: bool;
+    var phi_4058_: f32;
+    var phi_3940_: bool;
+    var phi_4057_: f32;
+    var phi_3939_: bool;
+    var phi_3969_: f32;
+    var phi_3938_: bool;
+    var phi_4120_: bool;
+    var phi_3968_: f32;
+    var phi_2445_: type_44;
+    var phi_3332_: type_51;
+    var phi_3408_: type_51;
+    var phi_3409_: u32;
+    var phi_3410_: type_51;
+    var phi_3412_: u32;
+    var phi_3413_: type_51;
+    var phi_3414_: bool;
+    var phi_3421_: type_51;
+    var phi_3426_: bool;
+    var phi_3428_: type_51;
+    var phi_3432_: bool;
+    var phi_3433_: u32;
+    var phi_3434_: type_51;
+    var phi_3444_: type_51;
+    var phi_4147_: f32;
+    var phi_4064_: bool;
     var phi_3445_: u32;
-    var phi_3446_: type_51;
-    var phi_4049_: f32;
-    var phi_3968_: bool;
-    var phi_3447_: bool;
-    var phi_3448_: u32;
+    var phi_3446_: bool;
+    var phi_3447_: u32;
+    var phi_3448_: type_51;
+    var phi_4146_: f32;
+    var phi_4063_: bool;
     var phi_3449_: u32;
-    var phi_3450_: type_51;
-    var phi_4048_: f32;
-    var phi_3967_: bool;
-    var phi_1162_: bool;
+    var phi_3450_: bool;
+    var phi_3451_: u32;
+    var phi_3452_: type_51;
+    var phi_4145_: f32;
+    var phi_4062_: bool;
+    var phi_1160_: u32;
+    var phi_1163_: bool;
     var phi_1165_: u32;
-    var phi_1167_: u32;
-    var phi_1169_: type_51;
-    var phi_3451_: bool;
-    var phi_3966_: bool;
-    var phi_3458_: type_4;
-    var phi_3459_: type_4;
-    var phi_3482_: type_4;
-    var phi_3534_: f32;
+    var phi_1167_: type_51;
+    var phi_3453_: bool;
+    var phi_4061_: bool;
+    var phi_3460_: type_4;
+    var phi_3461_: type_4;
+    var phi_3484_: type_4;
     var phi_3536_: f32;
-    var phi_3537_: bool;
     var phi_3538_: f32;
     var phi_3539_: bool;
-    var phi_3678_: u32;
-    var phi_3696_: bool;
-    var phi_3699_: bool;
-    var phi_3712_: f32;
-    var phi_3713_: f32;
-    var phi_3718_: f32;
-    var phi_3719_: f32;
-    var phi_3720_: bool;
-    var phi_3728_: f32;
-    var phi_3554_: f32;
-    var phi_3555_: f32;
-    var phi_3567_: f32;
-    var phi_3572_: type_22;
-    var phi_4030_: bool;
+    var phi_3540_: f32;
+    var phi_3541_: bool;
+    var phi_3680_: u32;
+    var phi_3698_: bool;
+    var phi_3701_: bool;
+    var phi_3714_: f32;
+    var phi_3715_: f32;
+    var phi_3720_: f32;
+    var phi_3721_: f32;
+    var phi_3722_: bool;
+    var phi_3730_: f32;
+    var phi_3556_: f32;
+    var phi_3557_: f32;
+    var phi_3569_: f32;
+    var phi_3574_: type_22;
+    var phi_4127_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -615,1057 +616,1067 @@ fn function_() {
                         break;
                     }
                     let _e630 = local_9[_e619];
-                    phi_3813_ = false;
-                    phi_3770_ = _e605;
-                    phi_1161_ = (_e607 <= _e605);
-                    phi_1164_ = ((3u * _e90) + 1u);
-                    phi_1166_ = 0u;
-                    phi_1168_ = type_51(type_49(array<f32, 3>(_e614, _e618, _e622), array<f32, 3>(_e626, _e628, _e630)), select(0u, 2147483648u, (_e90 == 0u)));
+                    phi_3790_ = false;
+                    phi_3771_ = _e605;
+                    phi_1159_ = ((3u * _e90) + 1u);
+                    phi_1162_ = (_e607 <= _e605);
+                    phi_1164_ = 0u;
+                    phi_1166_ = type_51(type_49(array<f32, 3>(_e614, _e618, _e622), array<f32, 3>(_e626, _e628, _e630)), select(0u, 2147483648u, (_e90 == 0u)));
                     loop {
-                        let _e638 = phi_3813_;
-                        let _e640 = phi_3770_;
-                        let _e642 = phi_1161_;
-                        let _e644 = phi_1164_;
-                        let _e646 = phi_1166_;
-                        let _e648 = phi_1168_;
-                        if _e642 {
-                            phi_1179_ = true;
+                        let _e638 = phi_3790_;
+                        let _e640 = phi_3771_;
+                        let _e642 = phi_1159_;
+                        let _e644 = phi_1162_;
+                        let _e646 = phi_1164_;
+                        let _e648 = phi_1166_;
+                        if _e644 {
+                            phi_1177_ = true;
                         } else {
-                            phi_1179_ = (_e646 > 0u);
+                            phi_1177_ = (_e646 > 0u);
                         }
-                        let _e651 = phi_1179_;
+                        let _e651 = phi_1177_;
                         if _e651 {
-                            let _e652 = (_e644 > 0u);
+                            let _e652 = (_e642 > 0u);
                             if _e652 {
-                                if _e642 {
-                                    phi_1266_ = _e642;
-                                    phi_1267_ = _e646;
-                                    phi_1268_ = _e648;
+                                if _e644 {
+                                    phi_1264_ = _e644;
+                                    phi_1265_ = _e646;
+                                    phi_1266_ = _e648;
                                 } else {
                                     let _e653 = (_e646 - 1u);
                                     let _e654 = (_e653 % 128u);
                                     let _e655 = (_e654 < 128u);
                                     if _e655 {
                                     } else {
-                                        phi_3966_ = true;
+                                        phi_4061_ = true;
                                         break;
                                     }
                                     let _e657 = local_6[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3966_ = true;
+                                        phi_4061_ = true;
                                         break;
                                     }
                                     let _e659 = local_5[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3966_ = true;
+                                        phi_4061_ = true;
                                         break;
                                     }
                                     let _e661 = local_4[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3966_ = true;
+                                        phi_4061_ = true;
                                         break;
                                     }
                                     let _e663 = local_3[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3966_ = true;
+                                        phi_4061_ = true;
                                         break;
                                     }
                                     let _e666 = local_2[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3966_ = true;
+                                        phi_4061_ = true;
                                         break;
                                     }
                                     let _e668 = local_1[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3966_ = true;
+                                        phi_4061_ = true;
                                         break;
                                     }
                                     let _e670 = local[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3966_ = true;
+                                        phi_4061_ = true;
                                         break;
                                     }
                                     let _e675 = local_8[_e654];
-                                    phi_1266_ = (_e675 <= _e640);
-                                    phi_1267_ = _e653;
-                                    phi_1268_ = type_51(type_49(array<f32, 3>(_e659, _e661, _e663), array<f32, 3>(_e666, _e668, _e670)), _e657);
+                                    phi_1264_ = (_e675 <= _e640);
+                                    phi_1265_ = _e653;
+                                    phi_1266_ = type_51(type_49(array<f32, 3>(_e659, _e661, _e663), array<f32, 3>(_e666, _e668, _e670)), _e657);
                                 }
-                                let _e678 = phi_1266_;
-                                let _e680 = phi_1267_;
-                                let _e682 = phi_1268_;
+                                let _e678 = phi_1264_;
+                                let _e680 = phi_1265_;
+                                let _e682 = phi_1266_;
                                 if _e678 {
-                                    if ((_e682.member_1 & 2147483648u) != 0u) {
-                                        phi_3810_ = _e638;
-                                        phi_3800_ = _e640;
-                                        phi_1286_ = type_4(0u, ((_e682.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e686 = ((_e682.member_1 & 2147483648u) != 0u);
+                                    if _e686 {
+                                        phi_3787_ = _e638;
+                                        phi_3776_ = _e640;
+                                        phi_1284_ = type_4(0u, ((_e682.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1057 = phi_3810_;
-                                            let _e1059 = phi_3800_;
-                                            let _e1061 = phi_1286_;
-                                            if (_e1061.member < _e1061.member_1) {
-                                                phi_1287_ = type_4((_e1061.member + 1u), _e1061.member_1);
-                                                phi_1310_ = type_4(1u, _e1061.member);
+                                            let _e693 = phi_3787_;
+                                            let _e695 = phi_3776_;
+                                            let _e697 = phi_1284_;
+                                            if (_e697.member < _e697.member_1) {
+                                                phi_1285_ = type_4((_e697.member + 1u), _e697.member_1);
+                                                phi_1308_ = type_4(1u, _e697.member);
                                             } else {
-                                                phi_1287_ = _e1061;
-                                                phi_1310_ = type_4(0u, type_4().member_1);
+                                                phi_1285_ = _e697;
+                                                phi_1308_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1074 = phi_1287_;
-                                            let _e1076 = phi_1310_;
-                                            let _e1080 = (bitcast<i32>(_e1076.member) != 0i);
-                                            if _e1080 {
-                                                let _e1081 = ((_e682.member_1 & 268435455u) + _e1076.member_1);
-                                                let _e1082 = (_e1081 < _e92);
-                                                if _e1082 {
-                                                    if _e1082 {
+                                            let _e710 = phi_1285_;
+                                            let _e712 = phi_1308_;
+                                            let _e716 = (bitcast<i32>(_e712.member) != 0i);
+                                            if _e716 {
+                                                let _e717 = ((_e682.member_1 & 268435455u) + _e712.member_1);
+                                                let _e718 = (_e717 < _e92);
+                                                if _e718 {
+                                                    if _e718 {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
-                                                    let _e1086 = global_2.member[_e1081].member_1;
-                                                    phi_1331_ = _e1086;
+                                                    let _e722 = global_2.member[_e717].member_1;
+                                                    phi_1329_ = _e722;
                                                 } else {
-                                                    phi_1331_ = 4294967295u;
+                                                    phi_1329_ = 4294967295u;
                                                 }
-                                                let _e1088 = phi_1331_;
-                                                if (_e1081 >= _e92) {
-                                                    phi_1423_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e724 = phi_1329_;
+                                                if (_e717 >= _e92) {
+                                                    phi_1421_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1082 {
+                                                    if _e718 {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
                                                     if (_e611 < 9u) {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
-                                                    let _e1095 = global_2.member[_e1081].member[_e611];
+                                                    let _e731 = global_2.member[_e717].member[_e611];
                                                     if (_e615 < 9u) {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
-                                                    let _e1101 = global_2.member[_e1081].member[_e615];
+                                                    let _e737 = global_2.member[_e717].member[_e615];
                                                     if (_e619 < 9u) {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
-                                                    let _e1107 = global_2.member[_e1081].member[_e619];
-                                                    let _e1109 = (3u + _e611);
-                                                    if (_e1109 < 9u) {
+                                                    let _e743 = global_2.member[_e717].member[_e619];
+                                                    let _e745 = (3u + _e611);
+                                                    if (_e745 < 9u) {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
-                                                    let _e1115 = global_2.member[_e1081].member[_e1109];
-                                                    let _e1116 = (3u + _e615);
-                                                    if (_e1116 < 9u) {
+                                                    let _e751 = global_2.member[_e717].member[_e745];
+                                                    let _e752 = (3u + _e615);
+                                                    if (_e752 < 9u) {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
-                                                    let _e1122 = global_2.member[_e1081].member[_e1116];
-                                                    let _e1123 = (3u + _e619);
-                                                    if (_e1123 < 9u) {
+                                                    let _e758 = global_2.member[_e717].member[_e752];
+                                                    let _e759 = (3u + _e619);
+                                                    if (_e759 < 9u) {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
-                                                    let _e1129 = global_2.member[_e1081].member[_e1123];
-                                                    let _e1131 = (6u + _e611);
-                                                    if (_e1131 < 9u) {
+                                                    let _e765 = global_2.member[_e717].member[_e759];
+                                                    let _e767 = (6u + _e611);
+                                                    if (_e767 < 9u) {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
-                                                    let _e1137 = global_2.member[_e1081].member[_e1131];
-                                                    let _e1138 = (6u + _e615);
-                                                    if (_e1138 < 9u) {
+                                                    let _e773 = global_2.member[_e717].member[_e767];
+                                                    let _e774 = (6u + _e615);
+                                                    if (_e774 < 9u) {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
-                                                    let _e1144 = global_2.member[_e1081].member[_e1138];
-                                                    let _e1145 = (6u + _e619);
-                                                    if (_e1145 < 9u) {
+                                                    let _e780 = global_2.member[_e717].member[_e774];
+                                                    let _e781 = (6u + _e619);
+                                                    if (_e781 < 9u) {
                                                     } else {
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = true;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = true;
                                                         break;
                                                     }
-                                                    let _e1151 = global_2.member[_e1081].member[_e1145];
-                                                    phi_1423_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1095, _e1101, _e1107), array<f32, 3>(_e1115, _e1122, _e1129), array<f32, 3>(_e1137, _e1144, _e1151));
+                                                    let _e787 = global_2.member[_e717].member[_e781];
+                                                    phi_1421_ = array<array<f32, 3>, 3>(array<f32, 3>(_e731, _e737, _e743), array<f32, 3>(_e751, _e758, _e765), array<f32, 3>(_e773, _e780, _e787));
                                                 }
-                                                let _e1155 = phi_1423_;
-                                                let _e1162 = (_e1155[0][2] - _e453);
-                                                let _e1165 = (((_e1155[0][0] - _e316) * _e492) - (_e1162 * _e356));
-                                                let _e1168 = (((_e1155[0][1] - _e385) * _e492) - (_e1162 * _e424));
-                                                let _e1175 = (_e1155[1][2] - _e453);
-                                                let _e1178 = (((_e1155[1][0] - _e316) * _e492) - (_e1175 * _e356));
-                                                let _e1181 = (((_e1155[1][1] - _e385) * _e492) - (_e1175 * _e424));
-                                                let _e1188 = (_e1155[2][2] - _e453);
-                                                let _e1191 = (((_e1155[2][0] - _e316) * _e492) - (_e1188 * _e356));
-                                                let _e1194 = (((_e1155[2][1] - _e385) * _e492) - (_e1188 * _e424));
-                                                let _e1195 = (_e1191 * _e1181);
-                                                let _e1196 = (_e1194 * _e1178);
-                                                let _e1197 = (_e1165 * _e1194);
-                                                let _e1198 = (_e1168 * _e1191);
-                                                let _e1199 = (_e1178 * _e1168);
-                                                let _e1200 = (_e1181 * _e1165);
-                                                let _e1205 = (((_e1195 >= _e1196) && (_e1197 >= _e1198)) && (_e1199 >= _e1200));
-                                                if (_e1205 || (((_e1195 <= _e1196) && (_e1197 <= _e1198)) && (_e1199 <= _e1200))) {
-                                                    let _e1212 = select(-1f, 1f, _e1205);
-                                                    let _e1214 = ((_e1195 - _e1196) * _e1212);
-                                                    let _e1216 = select(0f, _e1214, (_e1214 > 0f));
-                                                    let _e1218 = ((_e1197 - _e1198) * _e1212);
-                                                    let _e1220 = select(0f, _e1218, (_e1218 > 0f));
-                                                    let _e1222 = ((_e1199 - _e1200) * _e1212);
-                                                    let _e1224 = select(0f, _e1222, (_e1222 > 0f));
-                                                    let _e1226 = ((_e1216 + _e1220) + _e1224);
-                                                    if (_e1226 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2308_ = type_22();
-                                                        phi_2309_ = true;
-                                                        phi_2310_ = false;
+                                                let _e791 = phi_1421_;
+                                                let _e798 = (_e791[0][2] - _e453);
+                                                let _e801 = (((_e791[0][0] - _e316) * _e492) - (_e798 * _e356));
+                                                let _e804 = (((_e791[0][1] - _e385) * _e492) - (_e798 * _e424));
+                                                let _e811 = (_e791[1][2] - _e453);
+                                                let _e814 = (((_e791[1][0] - _e316) * _e492) - (_e811 * _e356));
+                                                let _e817 = (((_e791[1][1] - _e385) * _e492) - (_e811 * _e424));
+                                                let _e824 = (_e791[2][2] - _e453);
+                                                let _e827 = (((_e791[2][0] - _e316) * _e492) - (_e824 * _e356));
+                                                let _e830 = (((_e791[2][1] - _e385) * _e492) - (_e824 * _e424));
+                                                let _e831 = (_e827 * _e817);
+                                                let _e832 = (_e830 * _e814);
+                                                let _e833 = (_e801 * _e830);
+                                                let _e834 = (_e804 * _e827);
+                                                let _e835 = (_e814 * _e804);
+                                                let _e836 = (_e817 * _e801);
+                                                let _e841 = (((_e831 >= _e832) && (_e833 >= _e834)) && (_e835 >= _e836));
+                                                if (_e841 || (((_e831 <= _e832) && (_e833 <= _e834)) && (_e835 <= _e836))) {
+                                                    let _e848 = select(-1f, 1f, _e841);
+                                                    let _e850 = ((_e831 - _e832) * _e848);
+                                                    let _e852 = select(0f, _e850, (_e850 > 0f));
+                                                    let _e854 = ((_e833 - _e834) * _e848);
+                                                    let _e856 = select(0f, _e854, (_e854 > 0f));
+                                                    let _e858 = ((_e835 - _e836) * _e848);
+                                                    let _e860 = select(0f, _e858, (_e858 > 0f));
+                                                    let _e862 = ((_e852 + _e856) + _e860);
+                                                    if (_e862 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2306_ = type_22();
+                                                        phi_2307_ = true;
+                                                        phi_2308_ = false;
                                                     } else {
-                                                        let _e1229 = select(_e1178, _e1165, (_e1165 < _e1178));
-                                                        if (select(_e1191, _e1229, (_e1229 < _e1191)) > 0f) {
-                                                            phi_1576_ = true;
+                                                        let _e865 = select(_e814, _e801, (_e801 < _e814));
+                                                        if (select(_e827, _e865, (_e865 < _e827)) > 0f) {
+                                                            phi_1574_ = true;
                                                         } else {
-                                                            let _e1234 = select(_e1178, _e1165, (_e1165 > _e1178));
-                                                            phi_1576_ = (select(_e1191, _e1234, (_e1234 > _e1191)) < 0f);
+                                                            let _e870 = select(_e814, _e801, (_e801 > _e814));
+                                                            phi_1574_ = (select(_e827, _e870, (_e870 > _e827)) < 0f);
                                                         }
-                                                        let _e1239 = phi_1576_;
-                                                        if _e1239 {
-                                                            phi_2305_ = type_22();
-                                                            phi_2306_ = true;
-                                                            phi_2307_ = false;
+                                                        let _e875 = phi_1574_;
+                                                        if _e875 {
+                                                            phi_2303_ = type_22();
+                                                            phi_2304_ = true;
+                                                            phi_2305_ = false;
                                                         } else {
-                                                            let _e1241 = select(_e1181, _e1168, (_e1168 < _e1181));
-                                                            if (select(_e1194, _e1241, (_e1241 < _e1194)) > 0f) {
-                                                                phi_1605_ = true;
+                                                            let _e877 = select(_e817, _e804, (_e804 < _e817));
+                                                            if (select(_e830, _e877, (_e877 < _e830)) > 0f) {
+                                                                phi_1603_ = true;
                                                             } else {
-                                                                let _e1246 = select(_e1181, _e1168, (_e1168 > _e1181));
-                                                                phi_1605_ = (select(_e1194, _e1246, (_e1246 > _e1194)) < 0f);
+                                                                let _e882 = select(_e817, _e804, (_e804 > _e817));
+                                                                phi_1603_ = (select(_e830, _e882, (_e882 > _e830)) < 0f);
                                                             }
-                                                            let _e1251 = phi_1605_;
-                                                            if _e1251 {
-                                                                phi_2303_ = type_22();
-                                                                phi_2304_ = false;
+                                                            let _e887 = phi_1603_;
+                                                            if _e887 {
+                                                                phi_2301_ = type_22();
+                                                                phi_2302_ = false;
                                                             } else {
-                                                                let _e1253 = select(_e1155[1][0], _e1155[0][0], (_e1155[0][0] < _e1155[1][0]));
-                                                                let _e1257 = select(_e1155[1][0], _e1155[0][0], (_e1155[0][0] > _e1155[1][0]));
-                                                                let _e1261 = select(_e1155[1][1], _e1155[0][1], (_e1155[0][1] < _e1155[1][1]));
-                                                                let _e1265 = select(_e1155[1][1], _e1155[0][1], (_e1155[0][1] > _e1155[1][1]));
-                                                                let _e1269 = select(_e1155[1][2], _e1155[0][2], (_e1155[0][2] < _e1155[1][2]));
-                                                                let _e1273 = select(_e1155[1][2], _e1155[0][2], (_e1155[0][2] > _e1155[1][2]));
-                                                                let _e1278 = ((select(_e1155[2][0], _e1253, (_e1253 < _e1155[2][0])) - _e354) * _e359);
-                                                                let _e1279 = ((select(_e1155[2][0], _e1257, (_e1257 > _e1155[2][0])) - _e355) * _e359);
-                                                                let _e1282 = ((select(_e1155[2][1], _e1261, (_e1261 < _e1155[2][1])) - _e422) * _e427);
-                                                                let _e1283 = ((select(_e1155[2][1], _e1265, (_e1265 > _e1155[2][1])) - _e423) * _e427);
-                                                                let _e1286 = ((select(_e1155[2][2], _e1269, (_e1269 < _e1155[2][2])) - _e490) * _e495);
-                                                                let _e1287 = ((select(_e1155[2][2], _e1273, (_e1273 > _e1155[2][2])) - _e491) * _e495);
-                                                                let _e1289 = select(_e1287, _e1286, (_e1286 < _e1287));
-                                                                let _e1291 = select(_e1287, _e1286, (_e1286 > _e1287));
-                                                                let _e1293 = select(_e1279, _e1278, (_e1278 < _e1279));
-                                                                let _e1295 = select(_e1283, _e1282, (_e1282 < _e1283));
-                                                                let _e1297 = select(_e1295, _e1293, (_e1293 > _e1295));
-                                                                let _e1299 = select(_e1289, _e1297, (_e1297 > _e1289));
-                                                                let _e1301 = select(_e1279, _e1278, (_e1278 > _e1279));
-                                                                let _e1303 = select(_e1283, _e1282, (_e1282 > _e1283));
-                                                                let _e1305 = select(_e1303, _e1301, (_e1301 < _e1303));
-                                                                let _e1307 = select(_e1291, _e1305, (_e1305 < _e1291));
-                                                                let _e1308 = -(_e1289);
-                                                                let _e1314 = select(_e607, _e1299, (_e1299 > _e607));
-                                                                if (_e1314 > (_e1307 + (select(_e1308, _e1291, (_e1291 > _e1308)) * 0.0000019073523f))) {
-                                                                    phi_2298_ = type_22();
-                                                                    phi_2299_ = true;
+                                                                let _e889 = select(_e791[1][0], _e791[0][0], (_e791[0][0] < _e791[1][0]));
+                                                                let _e893 = select(_e791[1][0], _e791[0][0], (_e791[0][0] > _e791[1][0]));
+                                                                let _e897 = select(_e791[1][1], _e791[0][1], (_e791[0][1] < _e791[1][1]));
+                                                                let _e901 = select(_e791[1][1], _e791[0][1], (_e791[0][1] > _e791[1][1]));
+                                                                let _e905 = select(_e791[1][2], _e791[0][2], (_e791[0][2] < _e791[1][2]));
+                                                                let _e909 = select(_e791[1][2], _e791[0][2], (_e791[0][2] > _e791[1][2]));
+                                                                let _e914 = ((select(_e791[2][0], _e889, (_e889 < _e791[2][0])) - _e354) * _e359);
+                                                                let _e915 = ((select(_e791[2][0], _e893, (_e893 > _e791[2][0])) - _e355) * _e359);
+                                                                let _e918 = ((select(_e791[2][1], _e897, (_e897 < _e791[2][1])) - _e422) * _e427);
+                                                                let _e919 = ((select(_e791[2][1], _e901, (_e901 > _e791[2][1])) - _e423) * _e427);
+                                                                let _e922 = ((select(_e791[2][2], _e905, (_e905 < _e791[2][2])) - _e490) * _e495);
+                                                                let _e923 = ((select(_e791[2][2], _e909, (_e909 > _e791[2][2])) - _e491) * _e495);
+                                                                let _e925 = select(_e923, _e922, (_e922 < _e923));
+                                                                let _e927 = select(_e923, _e922, (_e922 > _e923));
+                                                                let _e929 = select(_e915, _e914, (_e914 < _e915));
+                                                                let _e931 = select(_e919, _e918, (_e918 < _e919));
+                                                                let _e933 = select(_e931, _e929, (_e929 > _e931));
+                                                                let _e935 = select(_e925, _e933, (_e933 > _e925));
+                                                                let _e937 = select(_e915, _e914, (_e914 > _e915));
+                                                                let _e939 = select(_e919, _e918, (_e918 > _e919));
+                                                                let _e941 = select(_e939, _e937, (_e937 < _e939));
+                                                                let _e943 = select(_e927, _e941, (_e941 < _e927));
+                                                                let _e944 = -(_e925);
+                                                                let _e950 = select(_e607, _e935, (_e935 > _e607));
+                                                                if (_e950 > (_e943 + (select(_e944, _e927, (_e927 > _e944)) * 0.0000019073523f))) {
+                                                                    phi_2296_ = type_22();
+                                                                    phi_2297_ = true;
                                                                 } else {
-                                                                    let _e1316 = (_e1314 > _e1059);
-                                                                    if _e1316 {
-                                                                        phi_2297_ = type_22();
+                                                                    let _e952 = (_e950 > _e695);
+                                                                    if _e952 {
+                                                                        phi_2295_ = type_22();
                                                                     } else {
-                                                                        let _e1317 = vec3<f32>(_e1155[0][0], _e1155[0][1], _e1155[0][2]);
-                                                                        let _e1318 = vec3<f32>(_e1155[1][0], _e1155[1][1], _e1155[1][2]);
-                                                                        let _e1319 = vec3<f32>(_e1155[2][0], _e1155[2][1], _e1155[2][2]);
-                                                                        let _e1320 = (_e1155[1][0] - _e1155[0][0]);
-                                                                        let _e1321 = (_e1155[1][1] - _e1155[0][1]);
-                                                                        let _e1322 = (_e1155[1][2] - _e1155[0][2]);
-                                                                        let _e1323 = vec3<f32>(_e1320, _e1321, _e1322);
-                                                                        let _e1324 = (_e1155[2][0] - _e1155[1][0]);
-                                                                        let _e1325 = (_e1155[2][1] - _e1155[1][1]);
-                                                                        let _e1326 = (_e1155[2][2] - _e1155[1][2]);
-                                                                        let _e1327 = vec3<f32>(_e1324, _e1325, _e1326);
-                                                                        let _e1328 = (_e1155[0][0] - _e1155[2][0]);
-                                                                        let _e1329 = (_e1155[0][1] - _e1155[2][1]);
-                                                                        let _e1330 = (_e1155[0][2] - _e1155[2][2]);
-                                                                        let _e1331 = vec3<f32>(_e1328, _e1329, _e1330);
-                                                                        let _e1334 = bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u));
-                                                                        let _e1337 = bitcast<f32>((bitcast<u32>(_e1321) & 2147483647u));
-                                                                        let _e1339 = select(_e1337, _e1334, (_e1334 > _e1337));
-                                                                        let _e1342 = bitcast<f32>((bitcast<u32>(_e1322) & 2147483647u));
-                                                                        let _e1344 = select(_e1342, _e1339, (_e1339 > _e1342));
-                                                                        let _e1347 = bitcast<f32>((bitcast<u32>(_e1324) & 2147483647u));
-                                                                        let _e1350 = bitcast<f32>((bitcast<u32>(_e1325) & 2147483647u));
-                                                                        let _e1352 = select(_e1350, _e1347, (_e1347 > _e1350));
-                                                                        let _e1355 = bitcast<f32>((bitcast<u32>(_e1326) & 2147483647u));
-                                                                        let _e1357 = select(_e1355, _e1352, (_e1352 > _e1355));
-                                                                        let _e1360 = bitcast<f32>((bitcast<u32>(_e1328) & 2147483647u));
-                                                                        let _e1363 = bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u));
-                                                                        let _e1365 = select(_e1363, _e1360, (_e1360 > _e1363));
-                                                                        let _e1368 = bitcast<f32>((bitcast<u32>(_e1330) & 2147483647u));
-                                                                        let _e1370 = select(_e1368, _e1365, (_e1365 > _e1368));
-                                                                        let _e1372 = select(_e1357, _e1344, (_e1344 > _e1357));
-                                                                        let _e1374 = select(_e1370, _e1372, (_e1372 > _e1370));
-                                                                        if (_e1344 == _e1374) {
-                                                                            phi_2024_ = _e1181;
-                                                                            phi_2025_ = _e1178;
-                                                                            phi_2026_ = _e1168;
-                                                                            phi_2027_ = _e1165;
-                                                                            phi_2028_ = _e1317;
-                                                                            phi_2029_ = _e1331;
-                                                                            phi_2030_ = _e1327;
-                                                                            phi_2031_ = _e1323;
+                                                                        let _e953 = vec3<f32>(_e791[0][0], _e791[0][1], _e791[0][2]);
+                                                                        let _e954 = vec3<f32>(_e791[1][0], _e791[1][1], _e791[1][2]);
+                                                                        let _e955 = vec3<f32>(_e791[2][0], _e791[2][1], _e791[2][2]);
+                                                                        let _e956 = (_e791[1][0] - _e791[0][0]);
+                                                                        let _e957 = (_e791[1][1] - _e791[0][1]);
+                                                                        let _e958 = (_e791[1][2] - _e791[0][2]);
+                                                                        let _e959 = vec3<f32>(_e956, _e957, _e958);
+                                                                        let _e960 = (_e791[2][0] - _e791[1][0]);
+                                                                        let _e961 = (_e791[2][1] - _e791[1][1]);
+                                                                        let _e962 = (_e791[2][2] - _e791[1][2]);
+                                                                        let _e963 = vec3<f32>(_e960, _e961, _e962);
+                                                                        let _e964 = (_e791[0][0] - _e791[2][0]);
+                                                                        let _e965 = (_e791[0][1] - _e791[2][1]);
+                                                                        let _e966 = (_e791[0][2] - _e791[2][2]);
+                                                                        let _e967 = vec3<f32>(_e964, _e965, _e966);
+                                                                        let _e970 = bitcast<f32>((bitcast<u32>(_e956) & 2147483647u));
+                                                                        let _e973 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
+                                                                        let _e975 = select(_e973, _e970, (_e970 > _e973));
+                                                                        let _e978 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
+                                                                        let _e980 = select(_e978, _e975, (_e975 > _e978));
+                                                                        let _e983 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
+                                                                        let _e986 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
+                                                                        let _e988 = select(_e986, _e983, (_e983 > _e986));
+                                                                        let _e991 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
+                                                                        let _e993 = select(_e991, _e988, (_e988 > _e991));
+                                                                        let _e996 = bitcast<f32>((bitcast<u32>(_e964) & 2147483647u));
+                                                                        let _e999 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
+                                                                        let _e1001 = select(_e999, _e996, (_e996 > _e999));
+                                                                        let _e1004 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
+                                                                        let _e1006 = select(_e1004, _e1001, (_e1001 > _e1004));
+                                                                        let _e1008 = select(_e993, _e980, (_e980 > _e993));
+                                                                        let _e1010 = select(_e1006, _e1008, (_e1008 > _e1006));
+                                                                        if (_e980 == _e1010) {
+                                                                            phi_2022_ = _e817;
+                                                                            phi_2023_ = _e814;
+                                                                            phi_2024_ = _e804;
+                                                                            phi_2025_ = _e801;
+                                                                            phi_2026_ = _e953;
+                                                                            phi_2027_ = _e967;
+                                                                            phi_2028_ = _e963;
+                                                                            phi_2029_ = _e959;
                                                                         } else {
-                                                                            let _e1376 = (_e1357 == _e1374);
-                                                                            let _e1381 = vec3(_e1376);
-                                                                            phi_2024_ = select(_e1168, _e1194, _e1376);
-                                                                            phi_2025_ = select(_e1165, _e1191, _e1376);
-                                                                            phi_2026_ = select(_e1194, _e1181, _e1376);
-                                                                            phi_2027_ = select(_e1191, _e1178, _e1376);
-                                                                            phi_2028_ = select(_e1319, _e1318, _e1381);
-                                                                            phi_2029_ = select(_e1327, _e1323, _e1381);
-                                                                            phi_2030_ = select(_e1323, _e1331, _e1381);
-                                                                            phi_2031_ = select(_e1331, _e1327, _e1381);
+                                                                            let _e1012 = (_e993 == _e1010);
+                                                                            let _e1017 = vec3(_e1012);
+                                                                            phi_2022_ = select(_e804, _e830, _e1012);
+                                                                            phi_2023_ = select(_e801, _e827, _e1012);
+                                                                            phi_2024_ = select(_e830, _e817, _e1012);
+                                                                            phi_2025_ = select(_e827, _e814, _e1012);
+                                                                            phi_2026_ = select(_e955, _e954, _e1017);
+                                                                            phi_2027_ = select(_e963, _e959, _e1017);
+                                                                            phi_2028_ = select(_e959, _e967, _e1017);
+                                                                            phi_2029_ = select(_e967, _e963, _e1017);
                                                                         }
-                                                                        let _e1387 = phi_2024_;
-                                                                        let _e1389 = phi_2025_;
-                                                                        let _e1391 = phi_2026_;
-                                                                        let _e1393 = phi_2027_;
-                                                                        let _e1395 = phi_2028_;
-                                                                        let _e1397 = phi_2029_;
-                                                                        let _e1399 = phi_2030_;
-                                                                        let _e1401 = phi_2031_;
-                                                                        let _e1408 = ((_e1399.y * _e1397.z) - (_e1397.y * _e1399.z));
-                                                                        let _e1413 = ((_e1399.z * _e1397.x) - (_e1397.z * _e1399.x));
-                                                                        let _e1416 = ((_e1399.x * _e1397.y) - (_e1397.x * _e1399.y));
-                                                                        if (_e1216 >= _e1220) {
-                                                                            phi_2068_ = select(true, false, (_e1216 >= _e1224));
+                                                                        let _e1023 = phi_2022_;
+                                                                        let _e1025 = phi_2023_;
+                                                                        let _e1027 = phi_2024_;
+                                                                        let _e1029 = phi_2025_;
+                                                                        let _e1031 = phi_2026_;
+                                                                        let _e1033 = phi_2027_;
+                                                                        let _e1035 = phi_2028_;
+                                                                        let _e1037 = phi_2029_;
+                                                                        let _e1044 = ((_e1035.y * _e1033.z) - (_e1033.y * _e1035.z));
+                                                                        let _e1049 = ((_e1035.z * _e1033.x) - (_e1033.z * _e1035.x));
+                                                                        let _e1052 = ((_e1035.x * _e1033.y) - (_e1033.x * _e1035.y));
+                                                                        if (_e852 >= _e856) {
+                                                                            phi_2066_ = select(true, false, (_e852 >= _e860));
                                                                         } else {
-                                                                            phi_2068_ = true;
+                                                                            phi_2066_ = true;
                                                                         }
-                                                                        let _e1421 = phi_2068_;
-                                                                        if _e1421 {
-                                                                            phi_2077_ = select(_e1319, _e1318, vec3((_e1220 >= _e1224)));
+                                                                        let _e1057 = phi_2066_;
+                                                                        if _e1057 {
+                                                                            phi_2075_ = select(_e955, _e954, vec3((_e856 >= _e860)));
                                                                         } else {
-                                                                            phi_2077_ = _e1317;
+                                                                            phi_2075_ = _e953;
                                                                         }
-                                                                        let _e1426 = phi_2077_;
-                                                                        let _e1437 = (((_e1408 * (_e1426.x - _e316)) + (_e1413 * (_e1426.y - _e385))) + (_e1416 * (_e1426.z - _e453)));
-                                                                        let _e1442 = (((_e1408 * _e356) + (_e1413 * _e424)) + (_e1416 * _e492));
-                                                                        let _e1443 = (_e1389 - _e1393);
-                                                                        let _e1444 = (_e1387 - _e1391);
-                                                                        let _e1452 = (-(((_e1393 * _e1443) + (_e1391 * _e1444))) / ((_e1443 * _e1443) + (_e1444 * _e1444)));
-                                                                        let _e1454 = select(1f, _e1452, (_e1452 < 1f));
-                                                                        let _e1456 = select(0f, _e1454, (_e1454 > 0f));
-                                                                        let _e1469 = ((_e1395.x + (_e1401.x * _e1456)) - _e316);
-                                                                        let _e1470 = ((_e1395.y + (_e1401.y * _e1456)) - _e385);
-                                                                        let _e1471 = ((_e1395.z + (_e1401.z * _e1456)) - _e453);
-                                                                        let _e1472 = (_e1471 / _e492);
-                                                                        let _e1484 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
-                                                                        let _e1487 = bitcast<f32>((bitcast<u32>(_e1470) & 2147483647u));
-                                                                        let _e1489 = select(_e1487, _e1484, (_e1484 > _e1487));
-                                                                        let _e1492 = bitcast<f32>((bitcast<u32>(_e1471) & 2147483647u));
-                                                                        let _e1494 = select(_e1492, _e1489, (_e1489 > _e1492));
-                                                                        let _e1500 = bitcast<f32>((bitcast<u32>(_e1408) & 2147483647u));
-                                                                        let _e1503 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
-                                                                        let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
-                                                                        let _e1508 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1408 * _e1469) + (_e1413 * _e1470)) + (_e1416 * _e1471)) - _e1437)) & 2147483647u)) <= ((0.0000009536743f * select(_e1374, _e1494, (_e1494 > _e1374))) * select(_e1508, _e1505, (_e1505 > _e1508)))) {
-                                                                            let _e1518 = bitcast<f32>((bitcast<u32>(_e1399.x) & 2147483647u));
-                                                                            let _e1521 = bitcast<f32>((bitcast<u32>(_e1399.y) & 2147483647u));
-                                                                            let _e1523 = select(_e1521, _e1518, (_e1518 > _e1521));
-                                                                            let _e1526 = bitcast<f32>((bitcast<u32>(_e1399.z) & 2147483647u));
-                                                                            let _e1532 = bitcast<f32>((bitcast<u32>(_e1397.x) & 2147483647u));
-                                                                            let _e1535 = bitcast<f32>((bitcast<u32>(_e1397.y) & 2147483647u));
-                                                                            let _e1537 = select(_e1535, _e1532, (_e1532 > _e1535));
-                                                                            let _e1540 = bitcast<f32>((bitcast<u32>(_e1397.z) & 2147483647u));
-                                                                            let _e1544 = (bitcast<f32>((bitcast<u32>(_e1442) & 2147483647u)) > ((0.0000038146973f * select(_e1526, _e1523, (_e1523 > _e1526))) * select(_e1540, _e1537, (_e1537 > _e1540))));
-                                                                            if _e1544 {
-                                                                                phi_2242_ = (_e1437 / _e1442);
+                                                                        let _e1062 = phi_2075_;
+                                                                        let _e1073 = (((_e1044 * (_e1062.x - _e316)) + (_e1049 * (_e1062.y - _e385))) + (_e1052 * (_e1062.z - _e453)));
+                                                                        let _e1078 = (((_e1044 * _e356) + (_e1049 * _e424)) + (_e1052 * _e492));
+                                                                        let _e1079 = (_e1025 - _e1029);
+                                                                        let _e1080 = (_e1023 - _e1027);
+                                                                        let _e1088 = (-(((_e1029 * _e1079) + (_e1027 * _e1080))) / ((_e1079 * _e1079) + (_e1080 * _e1080)));
+                                                                        let _e1090 = select(1f, _e1088, (_e1088 < 1f));
+                                                                        let _e1092 = select(0f, _e1090, (_e1090 > 0f));
+                                                                        let _e1105 = ((_e1031.x + (_e1037.x * _e1092)) - _e316);
+                                                                        let _e1106 = ((_e1031.y + (_e1037.y * _e1092)) - _e385);
+                                                                        let _e1107 = ((_e1031.z + (_e1037.z * _e1092)) - _e453);
+                                                                        let _e1108 = (_e1107 / _e492);
+                                                                        let _e1120 = bitcast<f32>((bitcast<u32>(_e1105) & 2147483647u));
+                                                                        let _e1123 = bitcast<f32>((bitcast<u32>(_e1106) & 2147483647u));
+                                                                        let _e1125 = select(_e1123, _e1120, (_e1120 > _e1123));
+                                                                        let _e1128 = bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u));
+                                                                        let _e1130 = select(_e1128, _e1125, (_e1125 > _e1128));
+                                                                        let _e1136 = bitcast<f32>((bitcast<u32>(_e1044) & 2147483647u));
+                                                                        let _e1139 = bitcast<f32>((bitcast<u32>(_e1049) & 2147483647u));
+                                                                        let _e1141 = select(_e1139, _e1136, (_e1136 > _e1139));
+                                                                        let _e1144 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1044 * _e1105) + (_e1049 * _e1106)) + (_e1052 * _e1107)) - _e1073)) & 2147483647u)) <= ((0.0000009536743f * select(_e1010, _e1130, (_e1130 > _e1010))) * select(_e1144, _e1141, (_e1141 > _e1144)))) {
+                                                                            let _e1154 = bitcast<f32>((bitcast<u32>(_e1035.x) & 2147483647u));
+                                                                            let _e1157 = bitcast<f32>((bitcast<u32>(_e1035.y) & 2147483647u));
+                                                                            let _e1159 = select(_e1157, _e1154, (_e1154 > _e1157));
+                                                                            let _e1162 = bitcast<f32>((bitcast<u32>(_e1035.z) & 2147483647u));
+                                                                            let _e1168 = bitcast<f32>((bitcast<u32>(_e1033.x) & 2147483647u));
+                                                                            let _e1171 = bitcast<f32>((bitcast<u32>(_e1033.y) & 2147483647u));
+                                                                            let _e1173 = select(_e1171, _e1168, (_e1168 > _e1171));
+                                                                            let _e1176 = bitcast<f32>((bitcast<u32>(_e1033.z) & 2147483647u));
+                                                                            let _e1180 = (bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u)) > ((0.0000038146973f * select(_e1162, _e1159, (_e1159 > _e1162))) * select(_e1176, _e1173, (_e1173 > _e1176))));
+                                                                            if _e1180 {
+                                                                                phi_2240_ = (_e1073 / _e1078);
                                                                             } else {
-                                                                                phi_2242_ = f32();
+                                                                                phi_2240_ = f32();
                                                                             }
-                                                                            let _e1547 = phi_2242_;
-                                                                            phi_2244_ = _e1547;
-                                                                            phi_2245_ = select(true, false, _e1544);
+                                                                            let _e1183 = phi_2240_;
+                                                                            phi_2242_ = _e1183;
+                                                                            phi_2243_ = select(true, false, _e1180);
                                                                         } else {
-                                                                            phi_2244_ = f32();
-                                                                            phi_2245_ = true;
+                                                                            phi_2242_ = f32();
+                                                                            phi_2243_ = true;
                                                                         }
-                                                                        let _e1550 = phi_2244_;
-                                                                        let _e1552 = phi_2245_;
-                                                                        if _e1552 {
-                                                                            let _e1560 = (((_e1408 * (_e1469 - (_e356 * _e1472))) + (_e1413 * (_e1470 - (_e424 * _e1472)))) / _e1442);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u)) <= _e1374) {
-                                                                                phi_2265_ = (_e1472 + _e1560);
+                                                                        let _e1186 = phi_2242_;
+                                                                        let _e1188 = phi_2243_;
+                                                                        if _e1188 {
+                                                                            let _e1196 = (((_e1044 * (_e1105 - (_e356 * _e1108))) + (_e1049 * (_e1106 - (_e424 * _e1108)))) / _e1078);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u)) <= _e1010) {
+                                                                                phi_2263_ = (_e1108 + _e1196);
                                                                             } else {
-                                                                                phi_2265_ = _e1472;
+                                                                                phi_2263_ = _e1108;
                                                                             }
-                                                                            let _e1567 = phi_2265_;
-                                                                            phi_2266_ = _e1567;
+                                                                            let _e1203 = phi_2263_;
+                                                                            phi_2264_ = _e1203;
                                                                         } else {
-                                                                            phi_2266_ = _e1550;
+                                                                            phi_2264_ = _e1186;
                                                                         }
-                                                                        let _e1569 = phi_2266_;
-                                                                        let _e1571 = select(_e1307, _e1569, (_e1569 < _e1307));
-                                                                        let _e1573 = select(_e1299, _e1571, (_e1571 > _e1299));
-                                                                        if (_e1573 >= _e607) {
-                                                                            let _e1575 = (_e1573 <= _e1059);
-                                                                            if _e1575 {
-                                                                                let _e1576 = (1f / _e1226);
-                                                                                phi_2289_ = type_22(_e1573, (_e1220 * _e1576), (_e1224 * _e1576), _e1088);
+                                                                        let _e1205 = phi_2264_;
+                                                                        let _e1207 = select(_e943, _e1205, (_e1205 < _e943));
+                                                                        let _e1209 = select(_e935, _e1207, (_e1207 > _e935));
+                                                                        if (_e1209 >= _e607) {
+                                                                            let _e1211 = (_e1209 <= _e695);
+                                                                            if _e1211 {
+                                                                                let _e1212 = (1f / _e862);
+                                                                                phi_2287_ = type_22(_e1209, (_e856 * _e1212), (_e860 * _e1212), _e724);
                                                                             } else {
-                                                                                phi_2289_ = type_22();
+                                                                                phi_2287_ = type_22();
                                                                             }
-                                                                            let _e1581 = phi_2289_;
-                                                                            phi_2291_ = _e1581;
-                                                                            phi_2292_ = select(true, false, _e1575);
+                                                                            let _e1217 = phi_2287_;
+                                                                            phi_2289_ = _e1217;
+                                                                            phi_2290_ = select(true, false, _e1211);
                                                                         } else {
-                                                                            phi_2291_ = type_22();
-                                                                            phi_2292_ = true;
+                                                                            phi_2289_ = type_22();
+                                                                            phi_2290_ = true;
                                                                         }
-                                                                        let _e1584 = phi_2291_;
-                                                                        let _e1586 = phi_2292_;
-                                                                        if _e1586 {
-                                                                            phi_2296_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1220 = phi_2289_;
+                                                                        let _e1222 = phi_2290_;
+                                                                        if _e1222 {
+                                                                            phi_2294_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2296_ = _e1584;
+                                                                            phi_2294_ = _e1220;
                                                                         }
-                                                                        let _e1588 = phi_2296_;
-                                                                        phi_2297_ = _e1588;
+                                                                        let _e1224 = phi_2294_;
+                                                                        phi_2295_ = _e1224;
                                                                     }
-                                                                    let _e1590 = phi_2297_;
-                                                                    phi_2298_ = _e1590;
-                                                                    phi_2299_ = _e1316;
+                                                                    let _e1226 = phi_2295_;
+                                                                    phi_2296_ = _e1226;
+                                                                    phi_2297_ = _e952;
                                                                 }
-                                                                let _e1592 = phi_2298_;
-                                                                let _e1594 = phi_2299_;
-                                                                phi_2303_ = _e1592;
-                                                                phi_2304_ = _e1594;
+                                                                let _e1228 = phi_2296_;
+                                                                let _e1230 = phi_2297_;
+                                                                phi_2301_ = _e1228;
+                                                                phi_2302_ = _e1230;
                                                             }
-                                                            let _e1596 = phi_2303_;
-                                                            let _e1598 = phi_2304_;
-                                                            phi_2305_ = _e1596;
-                                                            phi_2306_ = _e1251;
-                                                            phi_2307_ = _e1598;
+                                                            let _e1232 = phi_2301_;
+                                                            let _e1234 = phi_2302_;
+                                                            phi_2303_ = _e1232;
+                                                            phi_2304_ = _e887;
+                                                            phi_2305_ = _e1234;
                                                         }
-                                                        let _e1600 = phi_2305_;
-                                                        let _e1602 = phi_2306_;
-                                                        let _e1604 = phi_2307_;
-                                                        phi_2308_ = _e1600;
-                                                        phi_2309_ = _e1602;
-                                                        phi_2310_ = _e1604;
+                                                        let _e1236 = phi_2303_;
+                                                        let _e1238 = phi_2304_;
+                                                        let _e1240 = phi_2305_;
+                                                        phi_2306_ = _e1236;
+                                                        phi_2307_ = _e1238;
+                                                        phi_2308_ = _e1240;
                                                     }
-                                                    let _e1606 = phi_2308_;
-                                                    let _e1608 = phi_2309_;
-                                                    let _e1610 = phi_2310_;
-                                                    phi_2318_ = _e1606;
-                                                    phi_2319_ = select(_e1610, true, _e1608);
+                                                    let _e1242 = phi_2306_;
+                                                    let _e1244 = phi_2307_;
+                                                    let _e1246 = phi_2308_;
+                                                    phi_2316_ = _e1242;
+                                                    phi_2317_ = select(_e1246, true, _e1244);
                                                 } else {
-                                                    phi_2318_ = type_22();
-                                                    phi_2319_ = true;
+                                                    phi_2316_ = type_22();
+                                                    phi_2317_ = true;
                                                 }
-                                                let _e1613 = phi_2318_;
-                                                let _e1615 = phi_2319_;
-                                                if _e1615 {
-                                                    phi_2323_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1249 = phi_2316_;
+                                                let _e1251 = phi_2317_;
+                                                if _e1251 {
+                                                    phi_2321_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2323_ = _e1613;
+                                                    phi_2321_ = _e1249;
                                                 }
-                                                let _e1617 = phi_2323_;
-                                                if (_e1617.member_3 != 4294967295u) {
-                                                    if (_e1088 != 4294967295u) {
-                                                        phi_2335_ = type_4(0u, 8u);
-                                                        phi_2338_ = _e1617;
+                                                let _e1253 = phi_2321_;
+                                                if (_e1253.member_3 != 4294967295u) {
+                                                    if (_e724 != 4294967295u) {
+                                                        phi_2333_ = type_4(0u, 8u);
+                                                        phi_2336_ = _e1253;
                                                         loop {
-                                                            let _e1622 = phi_2335_;
-                                                            let _e1624 = phi_2338_;
-                                                            if (_e1622.member < _e1622.member_1) {
-                                                                phi_2336_ = type_4((_e1622.member + 1u), _e1622.member_1);
-                                                                phi_2361_ = type_4(1u, _e1622.member);
+                                                            let _e1258 = phi_2333_;
+                                                            let _e1260 = phi_2336_;
+                                                            if (_e1258.member < _e1258.member_1) {
+                                                                phi_2334_ = type_4((_e1258.member + 1u), _e1258.member_1);
+                                                                phi_2359_ = type_4(1u, _e1258.member);
                                                             } else {
-                                                                phi_2336_ = _e1622;
-                                                                phi_2361_ = type_4(0u, type_4().member_1);
+                                                                phi_2334_ = _e1258;
+                                                                phi_2359_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1637 = phi_2336_;
-                                                            let _e1639 = phi_2361_;
-                                                            let _e1643 = (bitcast<i32>(_e1639.member) != 0i);
-                                                            if _e1643 {
-                                                                let _e1644 = (_e1639.member_1 < 8u);
-                                                                if _e1644 {
+                                                            let _e1273 = phi_2334_;
+                                                            let _e1275 = phi_2359_;
+                                                            let _e1279 = (bitcast<i32>(_e1275.member) != 0i);
+                                                            if _e1279 {
+                                                                let _e1280 = (_e1275.member_1 < 8u);
+                                                                if _e1280 {
                                                                 } else {
-                                                                    phi_3801_ = true;
+                                                                    phi_3778_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1649 = local_7[_e1639.member_1].member;
-                                                                if (_e1624.member < _e1649) {
-                                                                    phi_2394_ = true;
+                                                                let _e1285 = local_7[_e1275.member_1].member;
+                                                                if (_e1260.member < _e1285) {
+                                                                    phi_2392_ = true;
                                                                 } else {
-                                                                    let _e1651 = local_7[_e1639.member_1].member;
-                                                                    if (_e1624.member == _e1651) {
-                                                                        let _e1656 = local_7[_e1639.member_1].member_3;
-                                                                        phi_2393_ = (_e1624.member_3 < _e1656);
+                                                                    let _e1287 = local_7[_e1275.member_1].member;
+                                                                    if (_e1260.member == _e1287) {
+                                                                        let _e1292 = local_7[_e1275.member_1].member_3;
+                                                                        phi_2391_ = (_e1260.member_3 < _e1292);
                                                                     } else {
-                                                                        phi_2393_ = false;
+                                                                        phi_2391_ = false;
                                                                     }
-                                                                    let _e1659 = phi_2393_;
-                                                                    phi_2394_ = _e1659;
+                                                                    let _e1295 = phi_2391_;
+                                                                    phi_2392_ = _e1295;
                                                                 }
-                                                                let _e1661 = phi_2394_;
-                                                                if _e1661 {
-                                                                    if _e1644 {
+                                                                let _e1297 = phi_2392_;
+                                                                if _e1297 {
+                                                                    if _e1280 {
                                                                     } else {
-                                                                        phi_3801_ = true;
+                                                                        phi_3778_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1662 = local_7[_e1639.member_1];
-                                                                    local_7[_e1639.member_1] = type_22(_e1624.member, _e1624.member_1, _e1624.member_2, _e1624.member_3);
-                                                                    phi_2415_ = type_22(_e1662.member, _e1662.member_1, _e1662.member_2, _e1662.member_3);
+                                                                    let _e1298 = local_7[_e1275.member_1];
+                                                                    local_7[_e1275.member_1] = type_22(_e1260.member, _e1260.member_1, _e1260.member_2, _e1260.member_3);
+                                                                    phi_2413_ = type_22(_e1298.member, _e1298.member_1, _e1298.member_2, _e1298.member_3);
                                                                 } else {
-                                                                    phi_2415_ = _e1624;
+                                                                    phi_2413_ = _e1260;
                                                                 }
-                                                                let _e1673 = phi_2415_;
-                                                                phi_2339_ = _e1673;
+                                                                let _e1309 = phi_2413_;
+                                                                phi_2337_ = _e1309;
                                                             } else {
-                                                                phi_2339_ = type_22();
+                                                                phi_2337_ = type_22();
                                                             }
-                                                            let _e1675 = phi_2339_;
+                                                            let _e1311 = phi_2337_;
                                                             continue;
                                                             continuing {
-                                                                phi_2335_ = _e1637;
-                                                                phi_2338_ = _e1675;
-                                                                phi_3801_ = _e1057;
-                                                                break if !(_e1643);
+                                                                phi_2333_ = _e1273;
+                                                                phi_2336_ = _e1311;
+                                                                phi_3778_ = _e693;
+                                                                break if !(_e1279);
                                                             }
                                                         }
-                                                        let _e1678 = phi_3801_;
-                                                        phi_4086_ = _e1059;
-                                                        phi_3961_ = _e1678;
-                                                        if _e1678 {
+                                                        let _e1314 = phi_3778_;
+                                                        phi_3969_ = _e695;
+                                                        phi_3938_ = _e1314;
+                                                        if _e1314 {
                                                             break;
                                                         }
-                                                        let _e1681 = local_7[7u].member_3;
-                                                        if (_e1681 != 4294967295u) {
-                                                            let _e1685 = local_7[7u].member;
-                                                            phi_4177_ = _e1685;
+                                                        let _e1317 = local_7[7u].member_3;
+                                                        if (_e1317 != 4294967295u) {
+                                                            let _e1321 = local_7[7u].member;
+                                                            phi_4060_ = _e1321;
                                                         } else {
-                                                            phi_4177_ = _e1059;
+                                                            phi_4060_ = _e695;
                                                         }
-                                                        let _e1687 = phi_4177_;
-                                                        phi_4176_ = _e1687;
-                                                        phi_3964_ = _e1678;
+                                                        let _e1323 = phi_4060_;
+                                                        phi_4059_ = _e1323;
+                                                        phi_3941_ = _e1314;
                                                     } else {
-                                                        phi_4176_ = _e1059;
-                                                        phi_3964_ = _e1057;
+                                                        phi_4059_ = _e695;
+                                                        phi_3941_ = _e693;
                                                     }
-                                                    let _e1689 = phi_4176_;
-                                                    let _e1691 = phi_3964_;
-                                                    phi_4175_ = _e1689;
-                                                    phi_3963_ = _e1691;
+                                                    let _e1325 = phi_4059_;
+                                                    let _e1327 = phi_3941_;
+                                                    phi_4058_ = _e1325;
+                                                    phi_3940_ = _e1327;
                                                 } else {
-                                                    phi_4175_ = _e1059;
-                                                    phi_3963_ = _e1057;
+                                                    phi_4058_ = _e695;
+                                                    phi_3940_ = _e693;
                                                 }
-                                                let _e1693 = phi_4175_;
-                                                let _e1695 = phi_3963_;
-                                                phi_4174_ = _e1693;
-                                                phi_3962_ = _e1695;
+                                                let _e1329 = phi_4058_;
+                                                let _e1331 = phi_3940_;
+                                                phi_4057_ = _e1329;
+                                                phi_3939_ = _e1331;
                                             } else {
-                                                phi_4174_ = _e1059;
-                                                phi_3962_ = _e1057;
+                                                phi_4057_ = _e695;
+                                                phi_3939_ = _e693;
                                             }
-                                            let _e1697 = phi_4174_;
-                                            let _e1699 = phi_3962_;
+                                            let _e1333 = phi_4057_;
+                                            let _e1335 = phi_3939_;
                                             continue;
                                             continuing {
-                                                phi_3810_ = _e1699;
-                                                phi_3800_ = _e1697;
-                                                phi_1286_ = _e1074;
-                                                phi_4086_ = _e1697;
-                                                phi_3961_ = _e1699;
-                                                break if !(_e1080);
+                                                phi_3787_ = _e1335;
+                                                phi_3776_ = _e1333;
+                                                phi_1284_ = _e710;
+                                                phi_3969_ = _e1333;
+                                                phi_3938_ = _e1335;
+                                                break if !(_e716);
                                             }
                                         }
-                                        let _e1702 = phi_4086_;
-                                        let _e1704 = phi_3961_;
-                                        phi_3966_ = _e1704;
-                                        if _e1704 {
+                                        let _e1338 = phi_3969_;
+                                        let _e1340 = phi_3938_;
+                                        phi_4061_ = _e1340;
+                                        if _e1340 {
                                             break;
                                         }
-                                        phi_4051_ = _e1702;
-                                        phi_3970_ = _e1704;
-                                        phi_3440_ = false;
-                                        phi_3441_ = _e680;
-                                        phi_3442_ = _e682;
+                                        phi_4120_ = _e1340;
+                                        phi_3968_ = _e1338;
                                     } else {
-                                        let _e691 = (_e682.member_1 < _e90);
-                                        if _e691 {
-                                            if _e691 {
+                                        phi_4120_ = _e638;
+                                        phi_3968_ = _e640;
+                                    }
+                                    let _e1342 = phi_4120_;
+                                    let _e1344 = phi_3968_;
+                                    if _e686 {
+                                        phi_3432_ = bool();
+                                        phi_3433_ = u32();
+                                        phi_3434_ = type_51();
+                                    } else {
+                                        let _e1345 = (_e682.member_1 < _e90);
+                                        if _e1345 {
+                                            if _e1345 {
                                             } else {
-                                                phi_3966_ = true;
+                                                phi_4061_ = true;
                                                 break;
                                             }
-                                            let _e693 = global_5.member[_e682.member_1];
-                                            phi_2452_ = _e693;
+                                            let _e1347 = global_5.member[_e682.member_1];
+                                            phi_2445_ = _e1347;
                                         } else {
-                                            phi_2452_ = type_44(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2445_ = type_44(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e695 = phi_2452_;
-                                        let _e710 = ((10u * _e252) & 31u);
-                                        let _e713 = ((_e695.member[0] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e721 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[0] - _e682.member.member[0]) * 0.0009775171f)) ^ _e124));
-                                        let _e726 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e713)) - 8388608f) * _e721)) ^ _e124)));
-                                        let _e730 = select(select(_e682.member.member_1[0], _e726, (_e726 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e713 == 1023u));
-                                        let _e732 = ((10u * _e251) & 31u);
-                                        let _e735 = ((_e695.member[0] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e743 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[1] - _e682.member.member[1]) * 0.0009775171f)) ^ _e124));
-                                        let _e748 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e735)) - 8388608f) * _e743)) ^ _e124)));
-                                        let _e752 = select(select(_e682.member.member_1[1], _e748, (_e748 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e735 == 1023u));
-                                        let _e754 = ((10u * _e253) & 31u);
-                                        let _e757 = ((_e695.member[0] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e765 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[2] - _e682.member.member[2]) * 0.0009775171f)) ^ _e124));
-                                        let _e770 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e757)) - 8388608f) * _e765)) ^ _e124)));
-                                        let _e774 = select(select(_e682.member.member_1[2], _e770, (_e770 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e757 == 1023u));
-                                        let _e777 = ((_e695.member[1] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e785 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e777)) - 8388608f) * _e721)) ^ _e124)));
-                                        let _e789 = select(select(_e682.member.member_1[0], _e785, (_e785 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e777 == 1023u));
-                                        let _e792 = ((_e695.member[1] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e800 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e792)) - 8388608f) * _e743)) ^ _e124)));
-                                        let _e804 = select(select(_e682.member.member_1[1], _e800, (_e800 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e792 == 1023u));
-                                        let _e807 = ((_e695.member[1] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e815 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e765)) ^ _e124)));
-                                        let _e819 = select(select(_e682.member.member_1[2], _e815, (_e815 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e807 == 1023u));
-                                        let _e825 = ((_e695.member_1[0] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e833 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e825)) - 8388608f) * _e721)) ^ _e124)));
-                                        let _e837 = select(select(_e682.member.member_1[0], _e833, (_e833 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e825 == 1023u));
-                                        let _e840 = ((_e695.member_1[0] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e848 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e840)) - 8388608f) * _e743)) ^ _e124)));
-                                        let _e852 = select(select(_e682.member.member_1[1], _e848, (_e848 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e840 == 1023u));
-                                        let _e855 = ((_e695.member_1[0] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e863 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e855)) - 8388608f) * _e765)) ^ _e124)));
-                                        let _e867 = select(select(_e682.member.member_1[2], _e863, (_e863 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e855 == 1023u));
-                                        let _e870 = ((_e695.member_1[1] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e878 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e721)) ^ _e124)));
-                                        let _e882 = select(select(_e682.member.member_1[0], _e878, (_e878 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e870 == 1023u));
-                                        let _e885 = ((_e695.member_1[1] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e893 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e885)) - 8388608f) * _e743)) ^ _e124)));
-                                        let _e897 = select(select(_e682.member.member_1[1], _e893, (_e893 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e885 == 1023u));
-                                        let _e900 = ((_e695.member_1[1] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e908 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e900)) - 8388608f) * _e765)) ^ _e124)));
-                                        let _e912 = select(select(_e682.member.member_1[2], _e908, (_e908 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e900 == 1023u));
-                                        let _e917 = type_51(type_49(array<f32, 3>(_e730, _e752, _e774), array<f32, 3>(_e789, _e804, _e819)), _e695.member_2);
-                                        let _e922 = type_51(type_49(array<f32, 3>(_e837, _e852, _e867), array<f32, 3>(_e882, _e897, _e912)), _e695.member_3);
-                                        let _e927 = ((_e730 - _e354) * _e359);
-                                        let _e928 = ((_e837 - _e354) * _e359);
-                                        let _e929 = ((_e789 - _e355) * _e359);
-                                        let _e930 = ((_e882 - _e355) * _e359);
-                                        let _e935 = ((_e752 - _e422) * _e427);
-                                        let _e936 = ((_e852 - _e422) * _e427);
-                                        let _e937 = ((_e804 - _e423) * _e427);
-                                        let _e938 = ((_e897 - _e423) * _e427);
-                                        let _e943 = ((_e774 - _e490) * _e495);
-                                        let _e944 = ((_e867 - _e490) * _e495);
-                                        let _e945 = ((_e819 - _e491) * _e495);
-                                        let _e946 = ((_e912 - _e491) * _e495);
-                                        let _e948 = select(_e945, _e943, (_e943 < _e945));
-                                        let _e950 = select(_e946, _e944, (_e944 < _e946));
-                                        let _e952 = select(_e945, _e943, (_e943 > _e945));
-                                        let _e954 = select(_e946, _e944, (_e944 > _e946));
-                                        let _e956 = select(_e929, _e927, (_e927 < _e929));
-                                        let _e958 = select(_e930, _e928, (_e928 < _e930));
-                                        let _e960 = select(_e937, _e935, (_e935 < _e937));
-                                        let _e962 = select(_e938, _e936, (_e936 < _e938));
-                                        let _e964 = select(_e960, _e956, (_e956 > _e960));
-                                        let _e966 = select(_e962, _e958, (_e958 > _e962));
-                                        let _e968 = select(_e948, _e964, (_e964 > _e948));
-                                        let _e970 = select(_e950, _e966, (_e966 > _e950));
-                                        let _e972 = select(_e929, _e927, (_e927 > _e929));
-                                        let _e974 = select(_e930, _e928, (_e928 > _e930));
-                                        let _e976 = select(_e937, _e935, (_e935 > _e937));
-                                        let _e978 = select(_e938, _e936, (_e936 > _e938));
-                                        let _e980 = select(_e976, _e972, (_e972 < _e976));
-                                        let _e982 = select(_e978, _e974, (_e974 < _e978));
-                                        let _e987 = -(_e948);
-                                        let _e988 = -(_e950);
-                                        let _e995 = (select(_e952, _e980, (_e980 < _e952)) + (select(_e987, _e952, (_e952 > _e987)) * 0.0000019073523f));
-                                        let _e996 = (select(_e954, _e982, (_e982 < _e954)) + (select(_e988, _e954, (_e954 > _e988)) * 0.0000019073523f));
-                                        let _e998 = select(_e607, _e968, (_e968 > _e607));
-                                        let _e1000 = select(_e607, _e970, (_e970 > _e607));
-                                        let _e1005 = (_e998 <= select(_e640, _e995, (_e995 < _e640)));
-                                        let _e1006 = (_e1000 <= select(_e640, _e996, (_e996 < _e640)));
-                                        let _e1007 = (_e998 <= _e1000);
-                                        if _e1005 {
-                                            if _e1006 {
-                                                if _e1007 {
-                                                    phi_3339_ = _e922;
+                                        let _e1349 = phi_2445_;
+                                        let _e1364 = ((10u * _e252) & 31u);
+                                        let _e1367 = ((_e1349.member[0] >> bitcast<u32>(_e1364)) & 1023u);
+                                        let _e1375 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[0] - _e682.member.member[0]) * 0.0009775171f)) ^ _e124));
+                                        let _e1380 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1367)) - 8388608f) * _e1375)) ^ _e124)));
+                                        let _e1384 = select(select(_e682.member.member_1[0], _e1380, (_e1380 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e1367 == 1023u));
+                                        let _e1386 = ((10u * _e251) & 31u);
+                                        let _e1389 = ((_e1349.member[0] >> bitcast<u32>(_e1386)) & 1023u);
+                                        let _e1397 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[1] - _e682.member.member[1]) * 0.0009775171f)) ^ _e124));
+                                        let _e1402 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1389)) - 8388608f) * _e1397)) ^ _e124)));
+                                        let _e1406 = select(select(_e682.member.member_1[1], _e1402, (_e1402 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e1389 == 1023u));
+                                        let _e1408 = ((10u * _e253) & 31u);
+                                        let _e1411 = ((_e1349.member[0] >> bitcast<u32>(_e1408)) & 1023u);
+                                        let _e1419 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[2] - _e682.member.member[2]) * 0.0009775171f)) ^ _e124));
+                                        let _e1424 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1411)) - 8388608f) * _e1419)) ^ _e124)));
+                                        let _e1428 = select(select(_e682.member.member_1[2], _e1424, (_e1424 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e1411 == 1023u));
+                                        let _e1431 = ((_e1349.member[1] >> bitcast<u32>(_e1364)) & 1023u);
+                                        let _e1439 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1431)) - 8388608f) * _e1375)) ^ _e124)));
+                                        let _e1443 = select(select(_e682.member.member_1[0], _e1439, (_e1439 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e1431 == 1023u));
+                                        let _e1446 = ((_e1349.member[1] >> bitcast<u32>(_e1386)) & 1023u);
+                                        let _e1454 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1446)) - 8388608f) * _e1397)) ^ _e124)));
+                                        let _e1458 = select(select(_e682.member.member_1[1], _e1454, (_e1454 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e1446 == 1023u));
+                                        let _e1461 = ((_e1349.member[1] >> bitcast<u32>(_e1408)) & 1023u);
+                                        let _e1469 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1461)) - 8388608f) * _e1419)) ^ _e124)));
+                                        let _e1473 = select(select(_e682.member.member_1[2], _e1469, (_e1469 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e1461 == 1023u));
+                                        let _e1479 = ((_e1349.member_1[0] >> bitcast<u32>(_e1364)) & 1023u);
+                                        let _e1487 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1479)) - 8388608f) * _e1375)) ^ _e124)));
+                                        let _e1491 = select(select(_e682.member.member_1[0], _e1487, (_e1487 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e1479 == 1023u));
+                                        let _e1494 = ((_e1349.member_1[0] >> bitcast<u32>(_e1386)) & 1023u);
+                                        let _e1502 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1494)) - 8388608f) * _e1397)) ^ _e124)));
+                                        let _e1506 = select(select(_e682.member.member_1[1], _e1502, (_e1502 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e1494 == 1023u));
+                                        let _e1509 = ((_e1349.member_1[0] >> bitcast<u32>(_e1408)) & 1023u);
+                                        let _e1517 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1509)) - 8388608f) * _e1419)) ^ _e124)));
+                                        let _e1521 = select(select(_e682.member.member_1[2], _e1517, (_e1517 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e1509 == 1023u));
+                                        let _e1524 = ((_e1349.member_1[1] >> bitcast<u32>(_e1364)) & 1023u);
+                                        let _e1532 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1524)) - 8388608f) * _e1375)) ^ _e124)));
+                                        let _e1536 = select(select(_e682.member.member_1[0], _e1532, (_e1532 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e1524 == 1023u));
+                                        let _e1539 = ((_e1349.member_1[1] >> bitcast<u32>(_e1386)) & 1023u);
+                                        let _e1547 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1539)) - 8388608f) * _e1397)) ^ _e124)));
+                                        let _e1551 = select(select(_e682.member.member_1[1], _e1547, (_e1547 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e1539 == 1023u));
+                                        let _e1554 = ((_e1349.member_1[1] >> bitcast<u32>(_e1408)) & 1023u);
+                                        let _e1562 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1554)) - 8388608f) * _e1419)) ^ _e124)));
+                                        let _e1566 = select(select(_e682.member.member_1[2], _e1562, (_e1562 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e1554 == 1023u));
+                                        let _e1571 = type_51(type_49(array<f32, 3>(_e1384, _e1406, _e1428), array<f32, 3>(_e1443, _e1458, _e1473)), _e1349.member_2);
+                                        let _e1576 = type_51(type_49(array<f32, 3>(_e1491, _e1506, _e1521), array<f32, 3>(_e1536, _e1551, _e1566)), _e1349.member_3);
+                                        let _e1581 = ((_e1384 - _e354) * _e359);
+                                        let _e1582 = ((_e1491 - _e354) * _e359);
+                                        let _e1583 = ((_e1443 - _e355) * _e359);
+                                        let _e1584 = ((_e1536 - _e355) * _e359);
+                                        let _e1589 = ((_e1406 - _e422) * _e427);
+                                        let _e1590 = ((_e1506 - _e422) * _e427);
+                                        let _e1591 = ((_e1458 - _e423) * _e427);
+                                        let _e1592 = ((_e1551 - _e423) * _e427);
+                                        let _e1597 = ((_e1428 - _e490) * _e495);
+                                        let _e1598 = ((_e1521 - _e490) * _e495);
+                                        let _e1599 = ((_e1473 - _e491) * _e495);
+                                        let _e1600 = ((_e1566 - _e491) * _e495);
+                                        let _e1602 = select(_e1599, _e1597, (_e1597 < _e1599));
+                                        let _e1604 = select(_e1600, _e1598, (_e1598 < _e1600));
+                                        let _e1606 = select(_e1599, _e1597, (_e1597 > _e1599));
+                                        let _e1608 = select(_e1600, _e1598, (_e1598 > _e1600));
+                                        let _e1610 = select(_e1583, _e1581, (_e1581 < _e1583));
+                                        let _e1612 = select(_e1584, _e1582, (_e1582 < _e1584));
+                                        let _e1614 = select(_e1591, _e1589, (_e1589 < _e1591));
+                                        let _e1616 = select(_e1592, _e1590, (_e1590 < _e1592));
+                                        let _e1618 = select(_e1614, _e1610, (_e1610 > _e1614));
+                                        let _e1620 = select(_e1616, _e1612, (_e1612 > _e1616));
+                                        let _e1622 = select(_e1602, _e1618, (_e1618 > _e1602));
+                                        let _e1624 = select(_e1604, _e1620, (_e1620 > _e1604));
+                                        let _e1626 = select(_e1583, _e1581, (_e1581 > _e1583));
+                                        let _e1628 = select(_e1584, _e1582, (_e1582 > _e1584));
+                                        let _e1630 = select(_e1591, _e1589, (_e1589 > _e1591));
+                                        let _e1632 = select(_e1592, _e1590, (_e1590 > _e1592));
+                                        let _e1634 = select(_e1630, _e1626, (_e1626 < _e1630));
+                                        let _e1636 = select(_e1632, _e1628, (_e1628 < _e1632));
+                                        let _e1641 = -(_e1602);
+                                        let _e1642 = -(_e1604);
+                                        let _e1649 = (select(_e1606, _e1634, (_e1634 < _e1606)) + (select(_e1641, _e1606, (_e1606 > _e1641)) * 0.0000019073523f));
+                                        let _e1650 = (select(_e1608, _e1636, (_e1636 < _e1608)) + (select(_e1642, _e1608, (_e1608 > _e1642)) * 0.0000019073523f));
+                                        let _e1652 = select(_e607, _e1622, (_e1622 > _e607));
+                                        let _e1654 = select(_e607, _e1624, (_e1624 > _e607));
+                                        let _e1659 = (_e1652 <= select(_e1344, _e1649, (_e1649 < _e1344)));
+                                        let _e1660 = (_e1654 <= select(_e1344, _e1650, (_e1650 < _e1344)));
+                                        let _e1661 = (_e1652 <= _e1654);
+                                        if _e1659 {
+                                            if _e1660 {
+                                                if _e1661 {
+                                                    phi_3332_ = _e1576;
                                                 } else {
-                                                    phi_3339_ = _e917;
+                                                    phi_3332_ = _e1571;
                                                 }
-                                                let _e1009 = phi_3339_;
-                                                let _e1017 = (_e680 % 128u);
-                                                let _e1018 = (_e1017 < 128u);
-                                                if _e1018 {
+                                                let _e1663 = phi_3332_;
+                                                let _e1670 = (_e680 % 128u);
+                                                let _e1671 = (_e1670 < 128u);
+                                                if _e1671 {
                                                 } else {
-                                                    phi_3966_ = true;
+                                                    phi_4061_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1017] = _e1009.member_1;
-                                                if _e1018 {
+                                                local_6[_e1670] = _e1663.member_1;
+                                                if _e1671 {
                                                 } else {
-                                                    phi_3966_ = true;
+                                                    phi_4061_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1017] = _e1009.member.member[0];
-                                                if _e1018 {
+                                                local_5[_e1670] = _e1663.member.member[0];
+                                                if _e1671 {
                                                 } else {
-                                                    phi_3966_ = true;
+                                                    phi_4061_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1017] = _e1009.member.member[1];
-                                                if _e1018 {
+                                                local_4[_e1670] = _e1663.member.member[1];
+                                                if _e1671 {
                                                 } else {
-                                                    phi_3966_ = true;
+                                                    phi_4061_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1017] = _e1009.member.member[2];
-                                                if _e1018 {
+                                                local_3[_e1670] = _e1663.member.member[2];
+                                                if _e1671 {
                                                 } else {
-                                                    phi_3966_ = true;
+                                                    phi_4061_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1017] = _e1009.member.member_1[0];
-                                                if _e1018 {
+                                                local_2[_e1670] = _e1663.member.member_1[0];
+                                                if _e1671 {
                                                 } else {
-                                                    phi_3966_ = true;
+                                                    phi_4061_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1017] = _e1009.member.member_1[1];
-                                                if _e1018 {
+                                                local_1[_e1670] = _e1663.member.member_1[1];
+                                                if _e1671 {
                                                 } else {
-                                                    phi_3966_ = true;
+                                                    phi_4061_ = true;
                                                     break;
                                                 }
-                                                local[_e1017] = _e1009.member.member_1[2];
-                                                if _e1018 {
+                                                local[_e1670] = _e1663.member.member_1[2];
+                                                if _e1671 {
                                                 } else {
-                                                    phi_3966_ = true;
+                                                    phi_4061_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1017] = select(_e1000, _e998, !(_e1007));
-                                                if _e1007 {
-                                                    phi_3416_ = _e917;
+                                                local_8[_e1670] = select(_e1652, _e1654, _e1661);
+                                                if _e1661 {
+                                                    phi_3408_ = _e1571;
                                                 } else {
-                                                    phi_3416_ = _e922;
+                                                    phi_3408_ = _e1576;
                                                 }
-                                                let _e1035 = phi_3416_;
-                                                phi_3417_ = (_e680 + 1u);
-                                                phi_3418_ = _e1035;
+                                                let _e1688 = phi_3408_;
+                                                phi_3409_ = (_e680 + 1u);
+                                                phi_3410_ = _e1688;
                                             } else {
-                                                phi_3417_ = u32();
-                                                phi_3418_ = type_51();
+                                                phi_3409_ = u32();
+                                                phi_3410_ = type_51();
                                             }
-                                            let _e1037 = phi_3417_;
-                                            let _e1039 = phi_3418_;
-                                            phi_3420_ = _e1037;
-                                            phi_3421_ = _e1039;
-                                            phi_3422_ = select(true, false, _e1006);
+                                            let _e1690 = phi_3409_;
+                                            let _e1692 = phi_3410_;
+                                            phi_3412_ = _e1690;
+                                            phi_3413_ = _e1692;
+                                            phi_3414_ = select(true, false, _e1660);
                                         } else {
-                                            phi_3420_ = u32();
-                                            phi_3421_ = type_51();
-                                            phi_3422_ = true;
+                                            phi_3412_ = u32();
+                                            phi_3413_ = type_51();
+                                            phi_3414_ = true;
                                         }
-                                        let _e1042 = phi_3420_;
-                                        let _e1044 = phi_3421_;
-                                        let _e1046 = phi_3422_;
-                                        if _e1046 {
-                                            if _e1005 {
-                                                phi_3429_ = _e917;
+                                        let _e1695 = phi_3412_;
+                                        let _e1697 = phi_3413_;
+                                        let _e1699 = phi_3414_;
+                                        if _e1699 {
+                                            if _e1659 {
+                                                phi_3421_ = _e1571;
                                             } else {
-                                                phi_3429_ = _e922;
+                                                phi_3421_ = _e1576;
                                             }
-                                            let _e1048 = phi_3429_;
-                                            phi_3434_ = select(_e1006, true, _e1005);
-                                            phi_3436_ = _e1048;
+                                            let _e1701 = phi_3421_;
+                                            phi_3426_ = select(_e1660, true, _e1659);
+                                            phi_3428_ = _e1701;
                                         } else {
-                                            phi_3434_ = _e678;
-                                            phi_3436_ = _e1044;
+                                            phi_3426_ = _e678;
+                                            phi_3428_ = _e1697;
                                         }
-                                        let _e1051 = phi_3434_;
-                                        let _e1053 = phi_3436_;
-                                        phi_4051_ = _e640;
-                                        phi_3970_ = _e638;
-                                        phi_3440_ = _e1051;
-                                        phi_3441_ = select(_e1042, _e680, _e1046);
-                                        phi_3442_ = _e1053;
+                                        let _e1704 = phi_3426_;
+                                        let _e1706 = phi_3428_;
+                                        phi_3432_ = _e1704;
+                                        phi_3433_ = select(_e1695, _e680, _e1699);
+                                        phi_3434_ = _e1706;
                                     }
-                                    let _e1706 = phi_4051_;
-                                    let _e1708 = phi_3970_;
-                                    let _e1710 = phi_3440_;
-                                    let _e1712 = phi_3441_;
-                                    let _e1714 = phi_3442_;
-                                    phi_4050_ = _e1706;
-                                    phi_3969_ = _e1708;
-                                    phi_3443_ = _e1710;
-                                    phi_3444_ = (_e644 - 1u);
-                                    phi_3445_ = _e1712;
-                                    phi_3446_ = _e1714;
+                                    let _e1709 = phi_3432_;
+                                    let _e1711 = phi_3433_;
+                                    let _e1713 = phi_3434_;
+                                    if _e686 {
+                                        phi_3444_ = _e682;
+                                    } else {
+                                        phi_3444_ = _e1713;
+                                    }
+                                    let _e1715 = phi_3444_;
+                                    phi_4147_ = _e1344;
+                                    phi_4064_ = _e1342;
+                                    phi_3445_ = (_e642 - 1u);
+                                    phi_3446_ = select(_e1709, false, _e686);
+                                    phi_3447_ = select(_e1711, _e680, _e686);
+                                    phi_3448_ = _e1715;
                                 } else {
-                                    phi_4050_ = _e640;
-                                    phi_3969_ = _e638;
-                                    phi_3443_ = _e678;
-                                    phi_3444_ = _e644;
-                                    phi_3445_ = _e680;
-                                    phi_3446_ = _e682;
+                                    phi_4147_ = _e640;
+                                    phi_4064_ = _e638;
+                                    phi_3445_ = _e642;
+                                    phi_3446_ = _e678;
+                                    phi_3447_ = _e680;
+                                    phi_3448_ = _e682;
                                 }
-                                let _e1716 = phi_4050_;
-                                let _e1718 = phi_3969_;
-                                let _e1720 = phi_3443_;
-                                let _e1722 = phi_3444_;
-                                let _e1724 = phi_3445_;
-                                let _e1726 = phi_3446_;
-                                phi_4049_ = _e1716;
-                                phi_3968_ = _e1718;
-                                phi_3447_ = _e1720;
-                                phi_3448_ = _e1722;
-                                phi_3449_ = _e1724;
-                                phi_3450_ = _e1726;
+                                let _e1719 = phi_4147_;
+                                let _e1721 = phi_4064_;
+                                let _e1723 = phi_3445_;
+                                let _e1725 = phi_3446_;
+                                let _e1727 = phi_3447_;
+                                let _e1729 = phi_3448_;
+                                phi_4146_ = _e1719;
+                                phi_4063_ = _e1721;
+                                phi_3449_ = _e1723;
+                                phi_3450_ = _e1725;
+                                phi_3451_ = _e1727;
+                                phi_3452_ = _e1729;
                             } else {
-                                phi_4049_ = _e640;
-                                phi_3968_ = _e638;
-                                phi_3447_ = bool();
-                                phi_3448_ = u32();
+                                phi_4146_ = _e640;
+                                phi_4063_ = _e638;
                                 phi_3449_ = u32();
-                                phi_3450_ = type_51();
+                                phi_3450_ = bool();
+                                phi_3451_ = u32();
+                                phi_3452_ = type_51();
                             }
-                            let _e1728 = phi_4049_;
-                            let _e1730 = phi_3968_;
-                            let _e1732 = phi_3447_;
-                            let _e1734 = phi_3448_;
-                            let _e1736 = phi_3449_;
-                            let _e1738 = phi_3450_;
-                            phi_4048_ = _e1728;
-                            phi_3967_ = _e1730;
-                            phi_1162_ = _e1732;
-                            phi_1165_ = _e1734;
-                            phi_1167_ = _e1736;
-                            phi_1169_ = _e1738;
-                            phi_3451_ = _e652;
+                            let _e1731 = phi_4146_;
+                            let _e1733 = phi_4063_;
+                            let _e1735 = phi_3449_;
+                            let _e1737 = phi_3450_;
+                            let _e1739 = phi_3451_;
+                            let _e1741 = phi_3452_;
+                            phi_4145_ = _e1731;
+                            phi_4062_ = _e1733;
+                            phi_1160_ = _e1735;
+                            phi_1163_ = _e1737;
+                            phi_1165_ = _e1739;
+                            phi_1167_ = _e1741;
+                            phi_3453_ = _e652;
                         } else {
-                            phi_4048_ = _e640;
-                            phi_3967_ = _e638;
-                            phi_1162_ = bool();
+                            phi_4145_ = _e640;
+                            phi_4062_ = _e638;
+                            phi_1160_ = u32();
+                            phi_1163_ = bool();
                             phi_1165_ = u32();
-                            phi_1167_ = u32();
-                            phi_1169_ = type_51();
-                            phi_3451_ = false;
+                            phi_1167_ = type_51();
+                            phi_3453_ = false;
                         }
-                        let _e1740 = phi_4048_;
-                        let _e1742 = phi_3967_;
-                        let _e1744 = phi_1162_;
-                        let _e1746 = phi_1165_;
-                        let _e1748 = phi_1167_;
-                        let _e1750 = phi_1169_;
-                        let _e1752 = phi_3451_;
+                        let _e1743 = phi_4145_;
+                        let _e1745 = phi_4062_;
+                        let _e1747 = phi_1160_;
+                        let _e1749 = phi_1163_;
+                        let _e1751 = phi_1165_;
+                        let _e1753 = phi_1167_;
+                        let _e1755 = phi_3453_;
                         continue;
                         continuing {
-                            phi_3813_ = _e1742;
-                            phi_3770_ = _e1740;
-                            phi_1161_ = _e1744;
-                            phi_1164_ = _e1746;
-                            phi_1166_ = _e1748;
-                            phi_1168_ = _e1750;
-                            phi_3966_ = _e1742;
-                            break if !(_e1752);
+                            phi_3790_ = _e1745;
+                            phi_3771_ = _e1743;
+                            phi_1159_ = _e1747;
+                            phi_1162_ = _e1749;
+                            phi_1164_ = _e1751;
+                            phi_1166_ = _e1753;
+                            phi_4061_ = _e1745;
+                            break if !(_e1755);
                         }
                     }
-                    let _e1755 = phi_3966_;
-                    if _e1755 {
+                    let _e1758 = phi_4061_;
+                    if _e1758 {
                         break;
                     }
-                    phi_3458_ = type_4(0u, 8u);
+                    phi_3460_ = type_4(0u, 8u);
                     loop {
-                        let _e1757 = phi_3458_;
-                        if (_e1757.member < _e1757.member_1) {
-                            phi_3459_ = type_4((_e1757.member + 1u), _e1757.member_1);
-                            phi_3482_ = type_4(1u, _e1757.member);
+                        let _e1760 = phi_3460_;
+                        if (_e1760.member < _e1760.member_1) {
+                            phi_3461_ = type_4((_e1760.member + 1u), _e1760.member_1);
+                            phi_3484_ = type_4(1u, _e1760.member);
                         } else {
-                            phi_3459_ = _e1757;
-                            phi_3482_ = type_4(0u, type_4().member_1);
+                            phi_3461_ = _e1760;
+                            phi_3484_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1770 = phi_3459_;
-                        let _e1772 = phi_3482_;
-                        let _e1776 = (bitcast<i32>(_e1772.member) != 0i);
-                        if _e1776 {
-                            let _e1777 = (_e1772.member_1 < 8u);
-                            if _e1777 {
+                        let _e1773 = phi_3461_;
+                        let _e1775 = phi_3484_;
+                        let _e1779 = (bitcast<i32>(_e1775.member) != 0i);
+                        if _e1779 {
+                            let _e1780 = (_e1775.member_1 < 8u);
+                            if _e1780 {
                             } else {
-                                phi_4030_ = true;
+                                phi_4127_ = true;
                                 break;
                             }
-                            let _e1779 = local_7[_e1772.member_1];
-                            if (_e1779.member_3 != 4294967295u) {
-                                let _e1785 = -(_e509);
-                                let _e1786 = bitcast<u32>(_e1779.member);
-                                let _e1790 = (bitcast<i32>((_e1786 >> bitcast<u32>(23i))) & 255i);
-                                let _e1791 = (_e1790 + _e1785);
-                                if (_e1790 == 255i) {
-                                    phi_3555_ = _e1779.member;
+                            let _e1782 = local_7[_e1775.member_1];
+                            if (_e1782.member_3 != 4294967295u) {
+                                let _e1788 = -(_e509);
+                                let _e1789 = bitcast<u32>(_e1782.member);
+                                let _e1793 = (bitcast<i32>((_e1789 >> bitcast<u32>(23i))) & 255i);
+                                let _e1794 = (_e1793 + _e1788);
+                                if (_e1793 == 255i) {
+                                    phi_3557_ = _e1782.member;
                                 } else {
-                                    if (_e1790 > 0i) {
-                                        if (_e1791 > 0i) {
-                                            let _e1795 = (_e1791 < 255i);
-                                            if _e1795 {
-                                                phi_3534_ = bitcast<f32>((_e1786 + bitcast<u32>((_e1785 << bitcast<u32>(23i)))));
+                                    if (_e1793 > 0i) {
+                                        if (_e1794 > 0i) {
+                                            let _e1798 = (_e1794 < 255i);
+                                            if _e1798 {
+                                                phi_3536_ = bitcast<f32>((_e1789 + bitcast<u32>((_e1788 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3534_ = f32();
+                                                phi_3536_ = f32();
                                             }
-                                            let _e1802 = phi_3534_;
-                                            phi_3536_ = _e1802;
-                                            phi_3537_ = select(true, false, _e1795);
+                                            let _e1805 = phi_3536_;
+                                            phi_3538_ = _e1805;
+                                            phi_3539_ = select(true, false, _e1798);
                                         } else {
-                                            phi_3536_ = f32();
-                                            phi_3537_ = true;
+                                            phi_3538_ = f32();
+                                            phi_3539_ = true;
                                         }
-                                        let _e1805 = phi_3536_;
-                                        let _e1807 = phi_3537_;
-                                        phi_3538_ = _e1805;
-                                        phi_3539_ = _e1807;
+                                        let _e1808 = phi_3538_;
+                                        let _e1810 = phi_3539_;
+                                        phi_3540_ = _e1808;
+                                        phi_3541_ = _e1810;
                                     } else {
-                                        phi_3538_ = f32();
-                                        phi_3539_ = true;
+                                        phi_3540_ = f32();
+                                        phi_3541_ = true;
                                     }
-                                    let _e1809 = phi_3538_;
-                                    let _e1811 = phi_3539_;
-                                    if _e1811 {
-                                        let _e1812 = (_e1786 & 2147483648u);
-                                        let _e1819 = ((_e1786 & 8388607u) | (select(0u, 1u, ((_e1786 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1823 = (_e1819 == 0u);
-                                        if _e1823 {
-                                            phi_3728_ = bitcast<f32>(_e1812);
+                                    let _e1812 = phi_3540_;
+                                    let _e1814 = phi_3541_;
+                                    if _e1814 {
+                                        let _e1815 = (_e1789 & 2147483648u);
+                                        let _e1822 = ((_e1789 & 8388607u) | (select(0u, 1u, ((_e1789 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1826 = (_e1822 == 0u);
+                                        if _e1826 {
+                                            phi_3730_ = bitcast<f32>(_e1815);
                                         } else {
-                                            let _e1828 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1819)), 32u, _e1823) - 8u);
-                                            let _e1831 = (_e1819 << bitcast<u32>((_e1828 & 31u)));
-                                            let _e1833 = ((_e1791 + select(0i, 1i, (_e1790 == 0i))) - bitcast<i32>(_e1828));
-                                            if (_e1833 >= 255i) {
-                                                phi_3718_ = bitcast<f32>((_e1812 | 2139095040u));
-                                                phi_3719_ = f32();
-                                                phi_3720_ = true;
+                                            let _e1831 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1822)), 32u, _e1826) - 8u);
+                                            let _e1834 = (_e1822 << bitcast<u32>((_e1831 & 31u)));
+                                            let _e1836 = ((_e1794 + select(0i, 1i, (_e1793 == 0i))) - bitcast<i32>(_e1831));
+                                            if (_e1836 >= 255i) {
+                                                phi_3720_ = bitcast<f32>((_e1815 | 2139095040u));
+                                                phi_3721_ = f32();
+                                                phi_3722_ = true;
                                             } else {
-                                                let _e1835 = (_e1833 > 0i);
-                                                if _e1835 {
-                                                    phi_3712_ = bitcast<f32>(((_e1812 | (bitcast<u32>(_e1833) << bitcast<u32>(23i))) | (_e1831 & 8388607u)));
-                                                    phi_3713_ = f32();
+                                                let _e1838 = (_e1836 > 0i);
+                                                if _e1838 {
+                                                    phi_3714_ = bitcast<f32>(((_e1815 | (bitcast<u32>(_e1836) << bitcast<u32>(23i))) | (_e1834 & 8388607u)));
+                                                    phi_3715_ = f32();
                                                 } else {
-                                                    if (_e1833 < -24i) {
-                                                        phi_3678_ = 26u;
+                                                    if (_e1836 < -24i) {
+                                                        phi_3680_ = 26u;
                                                     } else {
-                                                        phi_3678_ = bitcast<u32>((1i - _e1833));
+                                                        phi_3680_ = bitcast<u32>((1i - _e1836));
                                                     }
-                                                    let _e1840 = phi_3678_;
-                                                    let _e1841 = (_e1840 & 31u);
-                                                    let _e1843 = (_e1831 >> bitcast<u32>(_e1841));
-                                                    let _e1847 = (_e1831 & ((1u << bitcast<u32>(_e1841)) - 1u));
-                                                    let _e1851 = (1u << bitcast<u32>(((_e1840 - 1u) & 31u)));
-                                                    if (_e1847 > _e1851) {
-                                                        phi_3699_ = true;
+                                                    let _e1843 = phi_3680_;
+                                                    let _e1844 = (_e1843 & 31u);
+                                                    let _e1846 = (_e1834 >> bitcast<u32>(_e1844));
+                                                    let _e1850 = (_e1834 & ((1u << bitcast<u32>(_e1844)) - 1u));
+                                                    let _e1854 = (1u << bitcast<u32>(((_e1843 - 1u) & 31u)));
+                                                    if (_e1850 > _e1854) {
+                                                        phi_3701_ = true;
                                                     } else {
-                                                        if (_e1847 == _e1851) {
-                                                            phi_3696_ = ((_e1843 & 1u) == 1u);
+                                                        if (_e1850 == _e1854) {
+                                                            phi_3698_ = ((_e1846 & 1u) == 1u);
                                                         } else {
-                                                            phi_3696_ = false;
+                                                            phi_3698_ = false;
                                                         }
-                                                        let _e1857 = phi_3696_;
-                                                        phi_3699_ = _e1857;
+                                                        let _e1860 = phi_3698_;
+                                                        phi_3701_ = _e1860;
                                                     }
-                                                    let _e1859 = phi_3699_;
-                                                    phi_3712_ = f32();
-                                                    phi_3713_ = bitcast<f32>((_e1812 | (_e1843 + select(0u, 1u, _e1859))));
+                                                    let _e1862 = phi_3701_;
+                                                    phi_3714_ = f32();
+                                                    phi_3715_ = bitcast<f32>((_e1815 | (_e1846 + select(0u, 1u, _e1862))));
                                                 }
-                                                let _e1872 = phi_3712_;
-                                                let _e1874 = phi_3713_;
-                                                phi_3718_ = _e1872;
-                                                phi_3719_ = _e1874;
-                                                phi_3720_ = _e1835;
+                                                let _e1875 = phi_3714_;
+                                                let _e1877 = phi_3715_;
+                                                phi_3720_ = _e1875;
+                                                phi_3721_ = _e1877;
+                                                phi_3722_ = _e1838;
                                             }
-                                            let _e1878 = phi_3718_;
-                                            let _e1880 = phi_3719_;
-                                            let _e1882 = phi_3720_;
-                                            phi_3728_ = select(_e1880, _e1878, _e1882);
+                                            let _e1881 = phi_3720_;
+                                            let _e1883 = phi_3721_;
+                                            let _e1885 = phi_3722_;
+                                            phi_3730_ = select(_e1883, _e1881, _e1885);
                                         }
-                                        let _e1886 = phi_3728_;
-                                        phi_3554_ = _e1886;
+                                        let _e1889 = phi_3730_;
+                                        phi_3556_ = _e1889;
                                     } else {
-                                        phi_3554_ = _e1809;
+                                        phi_3556_ = _e1812;
                                     }
-                                    let _e1888 = phi_3554_;
-                                    phi_3555_ = _e1888;
+                                    let _e1891 = phi_3556_;
+                                    phi_3557_ = _e1891;
                                 }
-                                let _e1890 = phi_3555_;
-                                let _e1891 = bitcast<u32>(_e1890);
-                                if ((_e1891 & 2147483647u) >= 2139095040u) {
-                                    phi_3567_ = bitcast<f32>(((_e1891 & 2147483648u) | 2139095039u));
+                                let _e1893 = phi_3557_;
+                                let _e1894 = bitcast<u32>(_e1893);
+                                if ((_e1894 & 2147483647u) >= 2139095040u) {
+                                    phi_3569_ = bitcast<f32>(((_e1894 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3567_ = _e1890;
+                                    phi_3569_ = _e1893;
                                 }
-                                let _e1898 = phi_3567_;
-                                phi_3572_ = type_22(_e1898, _e1779.member_1, _e1779.member_2, _e1779.member_3);
+                                let _e1901 = phi_3569_;
+                                phi_3574_ = type_22(_e1901, _e1782.member_1, _e1782.member_2, _e1782.member_3);
                             } else {
-                                phi_3572_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3574_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1901 = phi_3572_;
-                            if _e1777 {
+                            let _e1904 = phi_3574_;
+                            if _e1780 {
                             } else {
-                                phi_4030_ = true;
+                                phi_4127_ = true;
                                 break;
                             }
-                            local_7[_e1772.member_1] = type_22(_e1901.member, _e1901.member_1, _e1901.member_2, _e1901.member_3);
+                            local_7[_e1775.member_1] = type_22(_e1904.member, _e1904.member_1, _e1904.member_2, _e1904.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3458_ = _e1770;
-                            phi_4030_ = _e1755;
-                            break if !(_e1776);
+                            phi_3460_ = _e1773;
+                            phi_4127_ = _e1758;
+                            break if !(_e1779);
                         }
                     }
-                    let _e1909 = phi_4030_;
-                    if _e1909 {
+                    let _e1912 = phi_4127_;
+                    if _e1912 {
                         break;
                     }
-                    let _e1910 = local_7;
+                    let _e1913 = local_7;
                     if _e140 {
                     } else {
                         break;
                     }
-                    global_6.member[_e138] = array<type_22, 8>(type_22(_e1910[0].member, _e1910[0].member_1, _e1910[0].member_2, _e1910[0].member_3), type_22(_e1910[1].member, _e1910[1].member_1, _e1910[1].member_2, _e1910[1].member_3), type_22(_e1910[2].member, _e1910[2].member_1, _e1910[2].member_2, _e1910[2].member_3), type_22(_e1910[3].member, _e1910[3].member_1, _e1910[3].member_2, _e1910[3].member_3), type_22(_e1910[4].member, _e1910[4].member_1, _e1910[4].member_2, _e1910[4].member_3), type_22(_e1910[5].member, _e1910[5].member_1, _e1910[5].member_2, _e1910[5].member_3), type_22(_e1910[6].member, _e1910[6].member_1, _e1910[6].member_2, _e1910[6].member_3), type_22(_e1910[7].member, _e1910[7].member_1, _e1910[7].member_2, _e1910[7].member_3));
+                    global_6.member[_e138] = array<type_22, 8>(type_22(_e1913[0].member, _e1913[0].member_1, _e1913[0].member_2, _e1913[0].member_3), type_22(_e1913[1].member, _e1913[1].member_1, _e1913[1].member_2, _e1913[1].member_3), type_22(_e1913[2].member, _e1913[2].member_1, _e1913[2].member_2, _e1913[2].member_3), type_22(_e1913[3].member, _e1913[3].member_1, _e1913[3].member_2, _e1913[3].member_3), type_22(_e1913[4].member, _e1913[4].member_1, _e1913[4].member_2, _e1913[4].member_3), type_22(_e1913[5].member, _e1913[5].member_1, _e1913[5].member_2, _e1913[5].member_3), type_22(_e1913[6].member, _e1913[6].member_1, _e1913[6].member_2, _e1913[6].member_3), type_22(_e1913[7].member, _e1913[7].member_1, _e1913[7].member_2, _e1913[7].member_3));
                 }
             }
             break;

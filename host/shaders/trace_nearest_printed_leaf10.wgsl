@@ -124,134 +124,135 @@ fn function_() {
     var phi_1017_: u32;
     var phi_1025_: f32;
     var phi_1026_: f32;
-    var phi_4043_: bool;
-    var phi_3964_: f32;
-    var phi_1164_: bool;
+    var phi_4020_: bool;
+    var phi_3965_: f32;
+    var phi_1162_: u32;
+    var phi_1165_: bool;
     var phi_1167_: u32;
-    var phi_1169_: u32;
-    var phi_1171_: type_52;
-    var phi_1182_: bool;
-    var phi_1269_: bool;
-    var phi_1270_: u32;
-    var phi_1271_: type_52;
-    var phi_2646_: type_39;
-    var phi_3533_: type_52;
-    var phi_3610_: type_52;
-    var phi_3611_: u32;
-    var phi_3612_: type_52;
-    var phi_3614_: u32;
-    var phi_3615_: type_52;
-    var phi_3616_: bool;
-    var phi_3623_: type_52;
-    var phi_3628_: bool;
-    var phi_3630_: type_52;
-    var phi_4040_: bool;
-    var phi_4012_: f32;
-    var phi_1290_: type_4;
-    var phi_1291_: type_4;
-    var phi_1314_: type_4;
-    var phi_1339_: u32;
-    var phi_1355_: type_46;
-    var phi_1794_: bool;
-    var phi_1823_: bool;
+    var phi_1169_: type_52;
+    var phi_1180_: bool;
+    var phi_1267_: bool;
+    var phi_1268_: u32;
+    var phi_1269_: type_52;
+    var phi_4017_: bool;
+    var phi_3988_: f32;
+    var phi_1288_: type_4;
+    var phi_1289_: type_4;
+    var phi_1312_: type_4;
+    var phi_1337_: u32;
+    var phi_1353_: type_46;
+    var phi_1792_: bool;
+    var phi_1821_: bool;
+    var phi_2216_: f32;
+    var phi_2217_: f32;
     var phi_2218_: f32;
     var phi_2219_: f32;
-    var phi_2220_: f32;
-    var phi_2221_: f32;
+    var phi_2220_: vec3<f32>;
+    var phi_2221_: vec3<f32>;
     var phi_2222_: vec3<f32>;
     var phi_2223_: vec3<f32>;
-    var phi_2224_: vec3<f32>;
-    var phi_2225_: vec3<f32>;
-    var phi_2262_: bool;
-    var phi_2271_: vec3<f32>;
+    var phi_2260_: bool;
+    var phi_2269_: vec3<f32>;
+    var phi_2434_: f32;
     var phi_2436_: f32;
-    var phi_2438_: f32;
-    var phi_2439_: bool;
-    var phi_2459_: f32;
-    var phi_2460_: f32;
+    var phi_2437_: bool;
+    var phi_2457_: f32;
+    var phi_2458_: f32;
+    var phi_2481_: type_18;
     var phi_2483_: type_18;
-    var phi_2485_: type_18;
-    var phi_2486_: bool;
+    var phi_2484_: bool;
+    var phi_2488_: type_18;
+    var phi_2489_: type_18;
     var phi_2490_: type_18;
-    var phi_2491_: type_18;
-    var phi_2492_: type_18;
-    var phi_2493_: bool;
+    var phi_2491_: bool;
+    var phi_2495_: type_18;
+    var phi_2496_: bool;
     var phi_2497_: type_18;
     var phi_2498_: bool;
-    var phi_2499_: type_18;
-    var phi_2500_: bool;
+    var phi_2499_: bool;
+    var phi_2500_: type_18;
     var phi_2501_: bool;
-    var phi_2502_: type_18;
-    var phi_2503_: bool;
-    var phi_2504_: bool;
-    var phi_2512_: type_18;
-    var phi_2513_: bool;
-    var phi_2517_: type_18;
-    var phi_2529_: type_4;
-    var phi_2532_: type_18;
-    var phi_2530_: type_4;
-    var phi_2555_: type_4;
-    var phi_2587_: bool;
-    var phi_2588_: bool;
-    var phi_2609_: type_18;
-    var phi_2533_: type_18;
-    var phi_4013_: bool;
-    var phi_4407_: f32;
-    var phi_4406_: f32;
-    var phi_4194_: bool;
-    var phi_4405_: f32;
-    var phi_4193_: bool;
-    var phi_4404_: f32;
-    var phi_4192_: bool;
-    var phi_4316_: f32;
-    var phi_4191_: bool;
-    var phi_4281_: f32;
-    var phi_4200_: bool;
-    var phi_3634_: bool;
-    var phi_3635_: u32;
-    var phi_3636_: type_52;
-    var phi_4280_: f32;
-    var phi_4199_: bool;
-    var phi_3637_: bool;
-    var phi_3638_: u32;
+    var phi_2502_: bool;
+    var phi_2510_: type_18;
+    var phi_2511_: bool;
+    var phi_2515_: type_18;
+    var phi_2527_: type_4;
+    var phi_2530_: type_18;
+    var phi_2528_: type_4;
+    var phi_2553_: type_4;
+    var phi_2585_: bool;
+    var phi_2586_: bool;
+    var phi_2607_: type_18;
+    var phi_2531_: type_18;
+    var phi_3990_: bool;
+    var phi_4290_: f32;
+    var phi_4289_: f32;
+    var phi_4171_: bool;
+    var phi_4288_: f32;
+    var phi_4170_: bool;
+    var phi_4287_: f32;
+    var phi_4169_: bool;
+    var phi_4199_: f32;
+    var phi_4168_: bool;
+    var phi_4350_: bool;
+    var phi_4198_: f32;
+    var phi_2639_: type_39;
+    var phi_3526_: type_52;
+    var phi_3602_: type_52;
+    var phi_3603_: u32;
+    var phi_3604_: type_52;
+    var phi_3606_: u32;
+    var phi_3607_: type_52;
+    var phi_3608_: bool;
+    var phi_3615_: type_52;
+    var phi_3620_: bool;
+    var phi_3622_: type_52;
+    var phi_3626_: bool;
+    var phi_3627_: u32;
+    var phi_3628_: type_52;
+    var phi_3638_: type_52;
+    var phi_4377_: f32;
+    var phi_4294_: bool;
     var phi_3639_: u32;
-    var phi_3640_: type_52;
-    var phi_4279_: f32;
-    var phi_4198_: bool;
-    var phi_3641_: bool;
-    var phi_3642_: u32;
+    var phi_3640_: bool;
+    var phi_3641_: u32;
+    var phi_3642_: type_52;
+    var phi_4376_: f32;
+    var phi_4293_: bool;
     var phi_3643_: u32;
-    var phi_3644_: type_52;
-    var phi_4278_: f32;
-    var phi_4197_: bool;
-    var phi_1165_: bool;
+    var phi_3644_: bool;
+    var phi_3645_: u32;
+    var phi_3646_: type_52;
+    var phi_4375_: f32;
+    var phi_4292_: bool;
+    var phi_1163_: u32;
+    var phi_1166_: bool;
     var phi_1168_: u32;
-    var phi_1170_: u32;
-    var phi_1172_: type_52;
-    var phi_3645_: bool;
-    var phi_4196_: bool;
-    var phi_3652_: type_4;
-    var phi_3653_: type_4;
-    var phi_3676_: type_4;
-    var phi_3728_: f32;
+    var phi_1170_: type_52;
+    var phi_3647_: bool;
+    var phi_4291_: bool;
+    var phi_3654_: type_4;
+    var phi_3655_: type_4;
+    var phi_3678_: type_4;
     var phi_3730_: f32;
-    var phi_3731_: bool;
     var phi_3732_: f32;
     var phi_3733_: bool;
-    var phi_3872_: u32;
-    var phi_3890_: bool;
-    var phi_3893_: bool;
-    var phi_3906_: f32;
-    var phi_3907_: f32;
-    var phi_3912_: f32;
-    var phi_3913_: f32;
-    var phi_3914_: bool;
-    var phi_3922_: f32;
-    var phi_3748_: f32;
-    var phi_3749_: f32;
-    var phi_3761_: f32;
-    var phi_3766_: type_18;
-    var phi_4260_: bool;
+    var phi_3734_: f32;
+    var phi_3735_: bool;
+    var phi_3874_: u32;
+    var phi_3892_: bool;
+    var phi_3895_: bool;
+    var phi_3908_: f32;
+    var phi_3909_: f32;
+    var phi_3914_: f32;
+    var phi_3915_: f32;
+    var phi_3916_: bool;
+    var phi_3924_: f32;
+    var phi_3750_: f32;
+    var phi_3751_: f32;
+    var phi_3763_: f32;
+    var phi_3768_: type_18;
+    var phi_4357_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -614,1022 +615,1032 @@ fn function_() {
                         break;
                     }
                     let _e629 = local_9[_e618];
-                    phi_4043_ = false;
-                    phi_3964_ = _e604;
-                    phi_1164_ = (_e606 <= _e604);
-                    phi_1167_ = ((3u * _e88) + 1u);
-                    phi_1169_ = 0u;
-                    phi_1171_ = type_52(type_44(array<f32, 3>(_e613, _e617, _e621), array<f32, 3>(_e625, _e627, _e629)), select(0u, 2147483648u, (_e88 == 0u)));
+                    phi_4020_ = false;
+                    phi_3965_ = _e604;
+                    phi_1162_ = ((3u * _e88) + 1u);
+                    phi_1165_ = (_e606 <= _e604);
+                    phi_1167_ = 0u;
+                    phi_1169_ = type_52(type_44(array<f32, 3>(_e613, _e617, _e621), array<f32, 3>(_e625, _e627, _e629)), select(0u, 2147483648u, (_e88 == 0u)));
                     loop {
-                        let _e637 = phi_4043_;
-                        let _e639 = phi_3964_;
-                        let _e641 = phi_1164_;
-                        let _e643 = phi_1167_;
-                        let _e645 = phi_1169_;
-                        let _e647 = phi_1171_;
-                        if _e641 {
-                            phi_1182_ = true;
+                        let _e637 = phi_4020_;
+                        let _e639 = phi_3965_;
+                        let _e641 = phi_1162_;
+                        let _e643 = phi_1165_;
+                        let _e645 = phi_1167_;
+                        let _e647 = phi_1169_;
+                        if _e643 {
+                            phi_1180_ = true;
                         } else {
-                            phi_1182_ = (_e645 > 0u);
+                            phi_1180_ = (_e645 > 0u);
                         }
-                        let _e650 = phi_1182_;
+                        let _e650 = phi_1180_;
                         if _e650 {
-                            let _e651 = (_e643 > 0u);
+                            let _e651 = (_e641 > 0u);
                             if _e651 {
-                                if _e641 {
-                                    phi_1269_ = _e641;
-                                    phi_1270_ = _e645;
-                                    phi_1271_ = _e647;
+                                if _e643 {
+                                    phi_1267_ = _e643;
+                                    phi_1268_ = _e645;
+                                    phi_1269_ = _e647;
                                 } else {
                                     let _e652 = (_e645 - 1u);
                                     let _e653 = (_e652 % 128u);
                                     let _e654 = (_e653 < 128u);
                                     if _e654 {
                                     } else {
-                                        phi_4196_ = true;
+                                        phi_4291_ = true;
                                         break;
                                     }
                                     let _e656 = local_6[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4196_ = true;
+                                        phi_4291_ = true;
                                         break;
                                     }
                                     let _e658 = local_5[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4196_ = true;
+                                        phi_4291_ = true;
                                         break;
                                     }
                                     let _e660 = local_4[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4196_ = true;
+                                        phi_4291_ = true;
                                         break;
                                     }
                                     let _e662 = local_3[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4196_ = true;
+                                        phi_4291_ = true;
                                         break;
                                     }
                                     let _e665 = local_2[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4196_ = true;
+                                        phi_4291_ = true;
                                         break;
                                     }
                                     let _e667 = local_1[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4196_ = true;
+                                        phi_4291_ = true;
                                         break;
                                     }
                                     let _e669 = local[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4196_ = true;
+                                        phi_4291_ = true;
                                         break;
                                     }
                                     let _e674 = local_8[_e653];
-                                    phi_1269_ = (_e674 <= _e639);
-                                    phi_1270_ = _e652;
-                                    phi_1271_ = type_52(type_44(array<f32, 3>(_e658, _e660, _e662), array<f32, 3>(_e665, _e667, _e669)), _e656);
+                                    phi_1267_ = (_e674 <= _e639);
+                                    phi_1268_ = _e652;
+                                    phi_1269_ = type_52(type_44(array<f32, 3>(_e658, _e660, _e662), array<f32, 3>(_e665, _e667, _e669)), _e656);
                                 }
-                                let _e677 = phi_1269_;
-                                let _e679 = phi_1270_;
-                                let _e681 = phi_1271_;
+                                let _e677 = phi_1267_;
+                                let _e679 = phi_1268_;
+                                let _e681 = phi_1269_;
                                 if _e677 {
-                                    if ((_e681.member_1 & 2147483648u) != 0u) {
-                                        phi_4040_ = _e637;
-                                        phi_4012_ = _e639;
-                                        phi_1290_ = type_4(0u, ((_e681.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e685 = ((_e681.member_1 & 2147483648u) != 0u);
+                                    if _e685 {
+                                        phi_4017_ = _e637;
+                                        phi_3988_ = _e639;
+                                        phi_1288_ = type_4(0u, ((_e681.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1057 = phi_4040_;
-                                            let _e1059 = phi_4012_;
-                                            let _e1061 = phi_1290_;
-                                            if (_e1061.member < _e1061.member_1) {
-                                                phi_1291_ = type_4((_e1061.member + 1u), _e1061.member_1);
-                                                phi_1314_ = type_4(1u, _e1061.member);
+                                            let _e693 = phi_4017_;
+                                            let _e695 = phi_3988_;
+                                            let _e697 = phi_1288_;
+                                            if (_e697.member < _e697.member_1) {
+                                                phi_1289_ = type_4((_e697.member + 1u), _e697.member_1);
+                                                phi_1312_ = type_4(1u, _e697.member);
                                             } else {
-                                                phi_1291_ = _e1061;
-                                                phi_1314_ = type_4(0u, type_4().member_1);
+                                                phi_1289_ = _e697;
+                                                phi_1312_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1074 = phi_1291_;
-                                            let _e1076 = phi_1314_;
-                                            let _e1080 = (bitcast<i32>(_e1076.member) != 0i);
-                                            if _e1080 {
-                                                let _e1081 = ((_e681.member_1 & 268435455u) + _e1076.member_1);
-                                                let _e1082 = (_e1081 < arrayLength((&global_6.member)));
-                                                if _e1082 {
-                                                    if _e1082 {
+                                            let _e710 = phi_1289_;
+                                            let _e712 = phi_1312_;
+                                            let _e716 = (bitcast<i32>(_e712.member) != 0i);
+                                            if _e716 {
+                                                let _e717 = ((_e681.member_1 & 268435455u) + _e712.member_1);
+                                                let _e718 = (_e717 < arrayLength((&global_6.member)));
+                                                if _e718 {
+                                                    if _e718 {
                                                     } else {
-                                                        phi_4316_ = _e1059;
-                                                        phi_4191_ = true;
+                                                        phi_4199_ = _e695;
+                                                        phi_4168_ = true;
                                                         break;
                                                     }
-                                                    let _e1085 = global_6.member[_e1081].member_1;
-                                                    phi_1339_ = _e1085;
+                                                    let _e721 = global_6.member[_e717].member_1;
+                                                    phi_1337_ = _e721;
                                                 } else {
-                                                    phi_1339_ = 4294967295u;
+                                                    phi_1337_ = 4294967295u;
                                                 }
-                                                let _e1087 = phi_1339_;
-                                                if _e1082 {
-                                                    if _e1082 {
+                                                let _e723 = phi_1337_;
+                                                if _e718 {
+                                                    if _e718 {
                                                     } else {
-                                                        phi_4316_ = _e1059;
-                                                        phi_4191_ = true;
+                                                        phi_4199_ = _e695;
+                                                        phi_4168_ = true;
                                                         break;
                                                     }
-                                                    let _e1089 = global_6.member[_e1081];
-                                                    phi_1355_ = _e1089;
+                                                    let _e725 = global_6.member[_e717];
+                                                    phi_1353_ = _e725;
                                                 } else {
-                                                    phi_1355_ = type_46(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1353_ = type_46(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e1091 = phi_1355_;
-                                                let _e1103 = ((10u * _e251) & 31u);
-                                                let _e1106 = ((_e1091.member[0] >> bitcast<u32>(_e1103)) & 1023u);
-                                                let _e1114 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e123));
-                                                let _e1119 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1106)) - 8388608f) * _e1114)) ^ _e123)));
-                                                let _e1123 = select(select(_e681.member.member_1[0], _e1119, (_e1119 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1106 == 1023u));
-                                                let _e1125 = ((10u * _e250) & 31u);
-                                                let _e1128 = ((_e1091.member[0] >> bitcast<u32>(_e1125)) & 1023u);
-                                                let _e1136 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e123));
-                                                let _e1141 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1128)) - 8388608f) * _e1136)) ^ _e123)));
-                                                let _e1145 = select(select(_e681.member.member_1[1], _e1141, (_e1141 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1128 == 1023u));
-                                                let _e1147 = ((10u * _e252) & 31u);
-                                                let _e1150 = ((_e1091.member[0] >> bitcast<u32>(_e1147)) & 1023u);
-                                                let _e1158 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e123));
-                                                let _e1163 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1150)) - 8388608f) * _e1158)) ^ _e123)));
-                                                let _e1167 = select(select(_e681.member.member_1[2], _e1163, (_e1163 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1150 == 1023u));
-                                                let _e1171 = ((_e1091.member[1] >> bitcast<u32>(_e1103)) & 1023u);
-                                                let _e1179 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1171)) - 8388608f) * _e1114)) ^ _e123)));
-                                                let _e1183 = select(select(_e681.member.member_1[0], _e1179, (_e1179 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1171 == 1023u));
-                                                let _e1186 = ((_e1091.member[1] >> bitcast<u32>(_e1125)) & 1023u);
-                                                let _e1194 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1186)) - 8388608f) * _e1136)) ^ _e123)));
-                                                let _e1198 = select(select(_e681.member.member_1[1], _e1194, (_e1194 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1186 == 1023u));
-                                                let _e1201 = ((_e1091.member[1] >> bitcast<u32>(_e1147)) & 1023u);
-                                                let _e1209 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1201)) - 8388608f) * _e1158)) ^ _e123)));
-                                                let _e1213 = select(select(_e681.member.member_1[2], _e1209, (_e1209 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1201 == 1023u));
-                                                let _e1217 = ((_e1091.member[2] >> bitcast<u32>(_e1103)) & 1023u);
-                                                let _e1225 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1217)) - 8388608f) * _e1114)) ^ _e123)));
-                                                let _e1229 = select(select(_e681.member.member_1[0], _e1225, (_e1225 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1217 == 1023u));
-                                                let _e1232 = ((_e1091.member[2] >> bitcast<u32>(_e1125)) & 1023u);
-                                                let _e1240 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1232)) - 8388608f) * _e1136)) ^ _e123)));
-                                                let _e1244 = select(select(_e681.member.member_1[1], _e1240, (_e1240 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1232 == 1023u));
-                                                let _e1247 = ((_e1091.member[2] >> bitcast<u32>(_e1147)) & 1023u);
-                                                let _e1255 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1247)) - 8388608f) * _e1158)) ^ _e123)));
-                                                let _e1259 = select(select(_e681.member.member_1[2], _e1255, (_e1255 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1247 == 1023u));
-                                                let _e1262 = (_e1167 - _e452);
-                                                let _e1265 = (((_e1123 - _e315) * _e491) - (_e1262 * _e355));
-                                                let _e1268 = (((_e1145 - _e384) * _e491) - (_e1262 * _e423));
-                                                let _e1271 = (_e1213 - _e452);
-                                                let _e1274 = (((_e1183 - _e315) * _e491) - (_e1271 * _e355));
-                                                let _e1277 = (((_e1198 - _e384) * _e491) - (_e1271 * _e423));
-                                                let _e1280 = (_e1259 - _e452);
-                                                let _e1283 = (((_e1229 - _e315) * _e491) - (_e1280 * _e355));
-                                                let _e1286 = (((_e1244 - _e384) * _e491) - (_e1280 * _e423));
-                                                let _e1287 = (_e1283 * _e1277);
-                                                let _e1288 = (_e1286 * _e1274);
-                                                let _e1289 = (_e1265 * _e1286);
-                                                let _e1290 = (_e1268 * _e1283);
-                                                let _e1291 = (_e1274 * _e1268);
-                                                let _e1292 = (_e1277 * _e1265);
-                                                let _e1297 = (((_e1287 >= _e1288) && (_e1289 >= _e1290)) && (_e1291 >= _e1292));
-                                                if (_e1297 || (((_e1287 <= _e1288) && (_e1289 <= _e1290)) && (_e1291 <= _e1292))) {
-                                                    let _e1304 = select(-1f, 1f, _e1297);
-                                                    let _e1306 = ((_e1287 - _e1288) * _e1304);
-                                                    let _e1308 = select(0f, _e1306, (_e1306 > 0f));
-                                                    let _e1310 = ((_e1289 - _e1290) * _e1304);
-                                                    let _e1312 = select(0f, _e1310, (_e1310 > 0f));
-                                                    let _e1314 = ((_e1291 - _e1292) * _e1304);
-                                                    let _e1316 = select(0f, _e1314, (_e1314 > 0f));
-                                                    let _e1318 = ((_e1308 + _e1312) + _e1316);
-                                                    if (_e1318 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2502_ = type_18();
-                                                        phi_2503_ = true;
-                                                        phi_2504_ = false;
+                                                let _e727 = phi_1353_;
+                                                let _e739 = ((10u * _e251) & 31u);
+                                                let _e742 = ((_e727.member[0] >> bitcast<u32>(_e739)) & 1023u);
+                                                let _e750 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e123));
+                                                let _e755 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e742)) - 8388608f) * _e750)) ^ _e123)));
+                                                let _e759 = select(select(_e681.member.member_1[0], _e755, (_e755 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e742 == 1023u));
+                                                let _e761 = ((10u * _e250) & 31u);
+                                                let _e764 = ((_e727.member[0] >> bitcast<u32>(_e761)) & 1023u);
+                                                let _e772 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e123));
+                                                let _e777 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e764)) - 8388608f) * _e772)) ^ _e123)));
+                                                let _e781 = select(select(_e681.member.member_1[1], _e777, (_e777 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e764 == 1023u));
+                                                let _e783 = ((10u * _e252) & 31u);
+                                                let _e786 = ((_e727.member[0] >> bitcast<u32>(_e783)) & 1023u);
+                                                let _e794 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e123));
+                                                let _e799 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e786)) - 8388608f) * _e794)) ^ _e123)));
+                                                let _e803 = select(select(_e681.member.member_1[2], _e799, (_e799 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e786 == 1023u));
+                                                let _e807 = ((_e727.member[1] >> bitcast<u32>(_e739)) & 1023u);
+                                                let _e815 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e750)) ^ _e123)));
+                                                let _e819 = select(select(_e681.member.member_1[0], _e815, (_e815 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e807 == 1023u));
+                                                let _e822 = ((_e727.member[1] >> bitcast<u32>(_e761)) & 1023u);
+                                                let _e830 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e822)) - 8388608f) * _e772)) ^ _e123)));
+                                                let _e834 = select(select(_e681.member.member_1[1], _e830, (_e830 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e822 == 1023u));
+                                                let _e837 = ((_e727.member[1] >> bitcast<u32>(_e783)) & 1023u);
+                                                let _e845 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e837)) - 8388608f) * _e794)) ^ _e123)));
+                                                let _e849 = select(select(_e681.member.member_1[2], _e845, (_e845 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e837 == 1023u));
+                                                let _e853 = ((_e727.member[2] >> bitcast<u32>(_e739)) & 1023u);
+                                                let _e861 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e853)) - 8388608f) * _e750)) ^ _e123)));
+                                                let _e865 = select(select(_e681.member.member_1[0], _e861, (_e861 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e853 == 1023u));
+                                                let _e868 = ((_e727.member[2] >> bitcast<u32>(_e761)) & 1023u);
+                                                let _e876 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e868)) - 8388608f) * _e772)) ^ _e123)));
+                                                let _e880 = select(select(_e681.member.member_1[1], _e876, (_e876 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e868 == 1023u));
+                                                let _e883 = ((_e727.member[2] >> bitcast<u32>(_e783)) & 1023u);
+                                                let _e891 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e883)) - 8388608f) * _e794)) ^ _e123)));
+                                                let _e895 = select(select(_e681.member.member_1[2], _e891, (_e891 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e883 == 1023u));
+                                                let _e898 = (_e803 - _e452);
+                                                let _e901 = (((_e759 - _e315) * _e491) - (_e898 * _e355));
+                                                let _e904 = (((_e781 - _e384) * _e491) - (_e898 * _e423));
+                                                let _e907 = (_e849 - _e452);
+                                                let _e910 = (((_e819 - _e315) * _e491) - (_e907 * _e355));
+                                                let _e913 = (((_e834 - _e384) * _e491) - (_e907 * _e423));
+                                                let _e916 = (_e895 - _e452);
+                                                let _e919 = (((_e865 - _e315) * _e491) - (_e916 * _e355));
+                                                let _e922 = (((_e880 - _e384) * _e491) - (_e916 * _e423));
+                                                let _e923 = (_e919 * _e913);
+                                                let _e924 = (_e922 * _e910);
+                                                let _e925 = (_e901 * _e922);
+                                                let _e926 = (_e904 * _e919);
+                                                let _e927 = (_e910 * _e904);
+                                                let _e928 = (_e913 * _e901);
+                                                let _e933 = (((_e923 >= _e924) && (_e925 >= _e926)) && (_e927 >= _e928));
+                                                if (_e933 || (((_e923 <= _e924) && (_e925 <= _e926)) && (_e927 <= _e928))) {
+                                                    let _e940 = select(-1f, 1f, _e933);
+                                                    let _e942 = ((_e923 - _e924) * _e940);
+                                                    let _e944 = select(0f, _e942, (_e942 > 0f));
+                                                    let _e946 = ((_e925 - _e926) * _e940);
+                                                    let _e948 = select(0f, _e946, (_e946 > 0f));
+                                                    let _e950 = ((_e927 - _e928) * _e940);
+                                                    let _e952 = select(0f, _e950, (_e950 > 0f));
+                                                    let _e954 = ((_e944 + _e948) + _e952);
+                                                    if (_e954 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2500_ = type_18();
+                                                        phi_2501_ = true;
+                                                        phi_2502_ = false;
                                                     } else {
-                                                        let _e1321 = select(_e1274, _e1265, (_e1265 < _e1274));
-                                                        if (select(_e1283, _e1321, (_e1321 < _e1283)) > 0f) {
-                                                            phi_1794_ = true;
+                                                        let _e957 = select(_e910, _e901, (_e901 < _e910));
+                                                        if (select(_e919, _e957, (_e957 < _e919)) > 0f) {
+                                                            phi_1792_ = true;
                                                         } else {
-                                                            let _e1326 = select(_e1274, _e1265, (_e1265 > _e1274));
-                                                            phi_1794_ = (select(_e1283, _e1326, (_e1326 > _e1283)) < 0f);
+                                                            let _e962 = select(_e910, _e901, (_e901 > _e910));
+                                                            phi_1792_ = (select(_e919, _e962, (_e962 > _e919)) < 0f);
                                                         }
-                                                        let _e1331 = phi_1794_;
-                                                        if _e1331 {
-                                                            phi_2499_ = type_18();
-                                                            phi_2500_ = true;
-                                                            phi_2501_ = false;
+                                                        let _e967 = phi_1792_;
+                                                        if _e967 {
+                                                            phi_2497_ = type_18();
+                                                            phi_2498_ = true;
+                                                            phi_2499_ = false;
                                                         } else {
-                                                            let _e1333 = select(_e1277, _e1268, (_e1268 < _e1277));
-                                                            if (select(_e1286, _e1333, (_e1333 < _e1286)) > 0f) {
-                                                                phi_1823_ = true;
+                                                            let _e969 = select(_e913, _e904, (_e904 < _e913));
+                                                            if (select(_e922, _e969, (_e969 < _e922)) > 0f) {
+                                                                phi_1821_ = true;
                                                             } else {
-                                                                let _e1338 = select(_e1277, _e1268, (_e1268 > _e1277));
-                                                                phi_1823_ = (select(_e1286, _e1338, (_e1338 > _e1286)) < 0f);
+                                                                let _e974 = select(_e913, _e904, (_e904 > _e913));
+                                                                phi_1821_ = (select(_e922, _e974, (_e974 > _e922)) < 0f);
                                                             }
-                                                            let _e1343 = phi_1823_;
-                                                            if _e1343 {
-                                                                phi_2497_ = type_18();
-                                                                phi_2498_ = false;
+                                                            let _e979 = phi_1821_;
+                                                            if _e979 {
+                                                                phi_2495_ = type_18();
+                                                                phi_2496_ = false;
                                                             } else {
-                                                                let _e1345 = select(_e1183, _e1123, (_e1123 < _e1183));
-                                                                let _e1349 = select(_e1183, _e1123, (_e1123 > _e1183));
-                                                                let _e1353 = select(_e1198, _e1145, (_e1145 < _e1198));
-                                                                let _e1357 = select(_e1198, _e1145, (_e1145 > _e1198));
-                                                                let _e1361 = select(_e1213, _e1167, (_e1167 < _e1213));
-                                                                let _e1365 = select(_e1213, _e1167, (_e1167 > _e1213));
-                                                                let _e1370 = ((select(_e1229, _e1345, (_e1345 < _e1229)) - _e353) * _e358);
-                                                                let _e1371 = ((select(_e1229, _e1349, (_e1349 > _e1229)) - _e354) * _e358);
-                                                                let _e1374 = ((select(_e1244, _e1353, (_e1353 < _e1244)) - _e421) * _e426);
-                                                                let _e1375 = ((select(_e1244, _e1357, (_e1357 > _e1244)) - _e422) * _e426);
-                                                                let _e1378 = ((select(_e1259, _e1361, (_e1361 < _e1259)) - _e489) * _e494);
-                                                                let _e1379 = ((select(_e1259, _e1365, (_e1365 > _e1259)) - _e490) * _e494);
-                                                                let _e1381 = select(_e1379, _e1378, (_e1378 < _e1379));
-                                                                let _e1383 = select(_e1379, _e1378, (_e1378 > _e1379));
-                                                                let _e1385 = select(_e1371, _e1370, (_e1370 < _e1371));
-                                                                let _e1387 = select(_e1375, _e1374, (_e1374 < _e1375));
-                                                                let _e1389 = select(_e1387, _e1385, (_e1385 > _e1387));
-                                                                let _e1391 = select(_e1381, _e1389, (_e1389 > _e1381));
-                                                                let _e1393 = select(_e1371, _e1370, (_e1370 > _e1371));
-                                                                let _e1395 = select(_e1375, _e1374, (_e1374 > _e1375));
-                                                                let _e1397 = select(_e1395, _e1393, (_e1393 < _e1395));
-                                                                let _e1399 = select(_e1383, _e1397, (_e1397 < _e1383));
-                                                                let _e1400 = -(_e1381);
-                                                                let _e1406 = select(_e606, _e1391, (_e1391 > _e606));
-                                                                if (_e1406 > (_e1399 + (select(_e1400, _e1383, (_e1383 > _e1400)) * 0.0000019073523f))) {
-                                                                    phi_2492_ = type_18();
-                                                                    phi_2493_ = true;
+                                                                let _e981 = select(_e819, _e759, (_e759 < _e819));
+                                                                let _e985 = select(_e819, _e759, (_e759 > _e819));
+                                                                let _e989 = select(_e834, _e781, (_e781 < _e834));
+                                                                let _e993 = select(_e834, _e781, (_e781 > _e834));
+                                                                let _e997 = select(_e849, _e803, (_e803 < _e849));
+                                                                let _e1001 = select(_e849, _e803, (_e803 > _e849));
+                                                                let _e1006 = ((select(_e865, _e981, (_e981 < _e865)) - _e353) * _e358);
+                                                                let _e1007 = ((select(_e865, _e985, (_e985 > _e865)) - _e354) * _e358);
+                                                                let _e1010 = ((select(_e880, _e989, (_e989 < _e880)) - _e421) * _e426);
+                                                                let _e1011 = ((select(_e880, _e993, (_e993 > _e880)) - _e422) * _e426);
+                                                                let _e1014 = ((select(_e895, _e997, (_e997 < _e895)) - _e489) * _e494);
+                                                                let _e1015 = ((select(_e895, _e1001, (_e1001 > _e895)) - _e490) * _e494);
+                                                                let _e1017 = select(_e1015, _e1014, (_e1014 < _e1015));
+                                                                let _e1019 = select(_e1015, _e1014, (_e1014 > _e1015));
+                                                                let _e1021 = select(_e1007, _e1006, (_e1006 < _e1007));
+                                                                let _e1023 = select(_e1011, _e1010, (_e1010 < _e1011));
+                                                                let _e1025 = select(_e1023, _e1021, (_e1021 > _e1023));
+                                                                let _e1027 = select(_e1017, _e1025, (_e1025 > _e1017));
+                                                                let _e1029 = select(_e1007, _e1006, (_e1006 > _e1007));
+                                                                let _e1031 = select(_e1011, _e1010, (_e1010 > _e1011));
+                                                                let _e1033 = select(_e1031, _e1029, (_e1029 < _e1031));
+                                                                let _e1035 = select(_e1019, _e1033, (_e1033 < _e1019));
+                                                                let _e1036 = -(_e1017);
+                                                                let _e1042 = select(_e606, _e1027, (_e1027 > _e606));
+                                                                if (_e1042 > (_e1035 + (select(_e1036, _e1019, (_e1019 > _e1036)) * 0.0000019073523f))) {
+                                                                    phi_2490_ = type_18();
+                                                                    phi_2491_ = true;
                                                                 } else {
-                                                                    let _e1408 = (_e1406 > _e1059);
-                                                                    if _e1408 {
-                                                                        phi_2491_ = type_18();
+                                                                    let _e1044 = (_e1042 > _e695);
+                                                                    if _e1044 {
+                                                                        phi_2489_ = type_18();
                                                                     } else {
-                                                                        let _e1409 = vec3<f32>(_e1123, _e1145, _e1167);
-                                                                        let _e1410 = vec3<f32>(_e1183, _e1198, _e1213);
-                                                                        let _e1411 = vec3<f32>(_e1229, _e1244, _e1259);
-                                                                        let _e1412 = (_e1183 - _e1123);
-                                                                        let _e1413 = (_e1198 - _e1145);
-                                                                        let _e1414 = (_e1213 - _e1167);
-                                                                        let _e1415 = vec3<f32>(_e1412, _e1413, _e1414);
-                                                                        let _e1416 = (_e1229 - _e1183);
-                                                                        let _e1417 = (_e1244 - _e1198);
-                                                                        let _e1418 = (_e1259 - _e1213);
-                                                                        let _e1419 = vec3<f32>(_e1416, _e1417, _e1418);
-                                                                        let _e1420 = (_e1123 - _e1229);
-                                                                        let _e1421 = (_e1145 - _e1244);
-                                                                        let _e1422 = (_e1167 - _e1259);
-                                                                        let _e1423 = vec3<f32>(_e1420, _e1421, _e1422);
-                                                                        let _e1426 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
-                                                                        let _e1429 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
-                                                                        let _e1431 = select(_e1429, _e1426, (_e1426 > _e1429));
-                                                                        let _e1434 = bitcast<f32>((bitcast<u32>(_e1414) & 2147483647u));
-                                                                        let _e1436 = select(_e1434, _e1431, (_e1431 > _e1434));
-                                                                        let _e1439 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
-                                                                        let _e1442 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
-                                                                        let _e1444 = select(_e1442, _e1439, (_e1439 > _e1442));
-                                                                        let _e1447 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
-                                                                        let _e1449 = select(_e1447, _e1444, (_e1444 > _e1447));
-                                                                        let _e1452 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
-                                                                        let _e1455 = bitcast<f32>((bitcast<u32>(_e1421) & 2147483647u));
-                                                                        let _e1457 = select(_e1455, _e1452, (_e1452 > _e1455));
-                                                                        let _e1460 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
-                                                                        let _e1462 = select(_e1460, _e1457, (_e1457 > _e1460));
-                                                                        let _e1464 = select(_e1449, _e1436, (_e1436 > _e1449));
-                                                                        let _e1466 = select(_e1462, _e1464, (_e1464 > _e1462));
-                                                                        if (_e1436 == _e1466) {
-                                                                            phi_2218_ = _e1277;
-                                                                            phi_2219_ = _e1274;
-                                                                            phi_2220_ = _e1268;
-                                                                            phi_2221_ = _e1265;
-                                                                            phi_2222_ = _e1409;
-                                                                            phi_2223_ = _e1423;
-                                                                            phi_2224_ = _e1419;
-                                                                            phi_2225_ = _e1415;
+                                                                        let _e1045 = vec3<f32>(_e759, _e781, _e803);
+                                                                        let _e1046 = vec3<f32>(_e819, _e834, _e849);
+                                                                        let _e1047 = vec3<f32>(_e865, _e880, _e895);
+                                                                        let _e1048 = (_e819 - _e759);
+                                                                        let _e1049 = (_e834 - _e781);
+                                                                        let _e1050 = (_e849 - _e803);
+                                                                        let _e1051 = vec3<f32>(_e1048, _e1049, _e1050);
+                                                                        let _e1052 = (_e865 - _e819);
+                                                                        let _e1053 = (_e880 - _e834);
+                                                                        let _e1054 = (_e895 - _e849);
+                                                                        let _e1055 = vec3<f32>(_e1052, _e1053, _e1054);
+                                                                        let _e1056 = (_e759 - _e865);
+                                                                        let _e1057 = (_e781 - _e880);
+                                                                        let _e1058 = (_e803 - _e895);
+                                                                        let _e1059 = vec3<f32>(_e1056, _e1057, _e1058);
+                                                                        let _e1062 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
+                                                                        let _e1065 = bitcast<f32>((bitcast<u32>(_e1049) & 2147483647u));
+                                                                        let _e1067 = select(_e1065, _e1062, (_e1062 > _e1065));
+                                                                        let _e1070 = bitcast<f32>((bitcast<u32>(_e1050) & 2147483647u));
+                                                                        let _e1072 = select(_e1070, _e1067, (_e1067 > _e1070));
+                                                                        let _e1075 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
+                                                                        let _e1078 = bitcast<f32>((bitcast<u32>(_e1053) & 2147483647u));
+                                                                        let _e1080 = select(_e1078, _e1075, (_e1075 > _e1078));
+                                                                        let _e1083 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
+                                                                        let _e1085 = select(_e1083, _e1080, (_e1080 > _e1083));
+                                                                        let _e1088 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
+                                                                        let _e1091 = bitcast<f32>((bitcast<u32>(_e1057) & 2147483647u));
+                                                                        let _e1093 = select(_e1091, _e1088, (_e1088 > _e1091));
+                                                                        let _e1096 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
+                                                                        let _e1098 = select(_e1096, _e1093, (_e1093 > _e1096));
+                                                                        let _e1100 = select(_e1085, _e1072, (_e1072 > _e1085));
+                                                                        let _e1102 = select(_e1098, _e1100, (_e1100 > _e1098));
+                                                                        if (_e1072 == _e1102) {
+                                                                            phi_2216_ = _e913;
+                                                                            phi_2217_ = _e910;
+                                                                            phi_2218_ = _e904;
+                                                                            phi_2219_ = _e901;
+                                                                            phi_2220_ = _e1045;
+                                                                            phi_2221_ = _e1059;
+                                                                            phi_2222_ = _e1055;
+                                                                            phi_2223_ = _e1051;
                                                                         } else {
-                                                                            let _e1468 = (_e1449 == _e1466);
-                                                                            let _e1473 = vec3(_e1468);
-                                                                            phi_2218_ = select(_e1268, _e1286, _e1468);
-                                                                            phi_2219_ = select(_e1265, _e1283, _e1468);
-                                                                            phi_2220_ = select(_e1286, _e1277, _e1468);
-                                                                            phi_2221_ = select(_e1283, _e1274, _e1468);
-                                                                            phi_2222_ = select(_e1411, _e1410, _e1473);
-                                                                            phi_2223_ = select(_e1419, _e1415, _e1473);
-                                                                            phi_2224_ = select(_e1415, _e1423, _e1473);
-                                                                            phi_2225_ = select(_e1423, _e1419, _e1473);
+                                                                            let _e1104 = (_e1085 == _e1102);
+                                                                            let _e1109 = vec3(_e1104);
+                                                                            phi_2216_ = select(_e904, _e922, _e1104);
+                                                                            phi_2217_ = select(_e901, _e919, _e1104);
+                                                                            phi_2218_ = select(_e922, _e913, _e1104);
+                                                                            phi_2219_ = select(_e919, _e910, _e1104);
+                                                                            phi_2220_ = select(_e1047, _e1046, _e1109);
+                                                                            phi_2221_ = select(_e1055, _e1051, _e1109);
+                                                                            phi_2222_ = select(_e1051, _e1059, _e1109);
+                                                                            phi_2223_ = select(_e1059, _e1055, _e1109);
                                                                         }
-                                                                        let _e1479 = phi_2218_;
-                                                                        let _e1481 = phi_2219_;
-                                                                        let _e1483 = phi_2220_;
-                                                                        let _e1485 = phi_2221_;
-                                                                        let _e1487 = phi_2222_;
-                                                                        let _e1489 = phi_2223_;
-                                                                        let _e1491 = phi_2224_;
-                                                                        let _e1493 = phi_2225_;
-                                                                        let _e1500 = ((_e1491.y * _e1489.z) - (_e1489.y * _e1491.z));
-                                                                        let _e1505 = ((_e1491.z * _e1489.x) - (_e1489.z * _e1491.x));
-                                                                        let _e1508 = ((_e1491.x * _e1489.y) - (_e1489.x * _e1491.y));
-                                                                        if (_e1308 >= _e1312) {
-                                                                            phi_2262_ = select(true, false, (_e1308 >= _e1316));
+                                                                        let _e1115 = phi_2216_;
+                                                                        let _e1117 = phi_2217_;
+                                                                        let _e1119 = phi_2218_;
+                                                                        let _e1121 = phi_2219_;
+                                                                        let _e1123 = phi_2220_;
+                                                                        let _e1125 = phi_2221_;
+                                                                        let _e1127 = phi_2222_;
+                                                                        let _e1129 = phi_2223_;
+                                                                        let _e1136 = ((_e1127.y * _e1125.z) - (_e1125.y * _e1127.z));
+                                                                        let _e1141 = ((_e1127.z * _e1125.x) - (_e1125.z * _e1127.x));
+                                                                        let _e1144 = ((_e1127.x * _e1125.y) - (_e1125.x * _e1127.y));
+                                                                        if (_e944 >= _e948) {
+                                                                            phi_2260_ = select(true, false, (_e944 >= _e952));
                                                                         } else {
-                                                                            phi_2262_ = true;
+                                                                            phi_2260_ = true;
                                                                         }
-                                                                        let _e1513 = phi_2262_;
-                                                                        if _e1513 {
-                                                                            phi_2271_ = select(_e1411, _e1410, vec3((_e1312 >= _e1316)));
+                                                                        let _e1149 = phi_2260_;
+                                                                        if _e1149 {
+                                                                            phi_2269_ = select(_e1047, _e1046, vec3((_e948 >= _e952)));
                                                                         } else {
-                                                                            phi_2271_ = _e1409;
+                                                                            phi_2269_ = _e1045;
                                                                         }
-                                                                        let _e1518 = phi_2271_;
-                                                                        let _e1529 = (((_e1500 * (_e1518.x - _e315)) + (_e1505 * (_e1518.y - _e384))) + (_e1508 * (_e1518.z - _e452)));
-                                                                        let _e1534 = (((_e1500 * _e355) + (_e1505 * _e423)) + (_e1508 * _e491));
-                                                                        let _e1535 = (_e1481 - _e1485);
-                                                                        let _e1536 = (_e1479 - _e1483);
-                                                                        let _e1544 = (-(((_e1485 * _e1535) + (_e1483 * _e1536))) / ((_e1535 * _e1535) + (_e1536 * _e1536)));
-                                                                        let _e1546 = select(1f, _e1544, (_e1544 < 1f));
-                                                                        let _e1548 = select(0f, _e1546, (_e1546 > 0f));
-                                                                        let _e1561 = ((_e1487.x + (_e1493.x * _e1548)) - _e315);
-                                                                        let _e1562 = ((_e1487.y + (_e1493.y * _e1548)) - _e384);
-                                                                        let _e1563 = ((_e1487.z + (_e1493.z * _e1548)) - _e452);
-                                                                        let _e1564 = (_e1563 / _e491);
-                                                                        let _e1576 = bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u));
-                                                                        let _e1579 = bitcast<f32>((bitcast<u32>(_e1562) & 2147483647u));
-                                                                        let _e1581 = select(_e1579, _e1576, (_e1576 > _e1579));
-                                                                        let _e1584 = bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u));
-                                                                        let _e1586 = select(_e1584, _e1581, (_e1581 > _e1584));
-                                                                        let _e1592 = bitcast<f32>((bitcast<u32>(_e1500) & 2147483647u));
-                                                                        let _e1595 = bitcast<f32>((bitcast<u32>(_e1505) & 2147483647u));
-                                                                        let _e1597 = select(_e1595, _e1592, (_e1592 > _e1595));
-                                                                        let _e1600 = bitcast<f32>((bitcast<u32>(_e1508) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1500 * _e1561) + (_e1505 * _e1562)) + (_e1508 * _e1563)) - _e1529)) & 2147483647u)) <= ((0.0000009536743f * select(_e1466, _e1586, (_e1586 > _e1466))) * select(_e1600, _e1597, (_e1597 > _e1600)))) {
-                                                                            let _e1610 = bitcast<f32>((bitcast<u32>(_e1491.x) & 2147483647u));
-                                                                            let _e1613 = bitcast<f32>((bitcast<u32>(_e1491.y) & 2147483647u));
-                                                                            let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
-                                                                            let _e1618 = bitcast<f32>((bitcast<u32>(_e1491.z) & 2147483647u));
-                                                                            let _e1624 = bitcast<f32>((bitcast<u32>(_e1489.x) & 2147483647u));
-                                                                            let _e1627 = bitcast<f32>((bitcast<u32>(_e1489.y) & 2147483647u));
-                                                                            let _e1629 = select(_e1627, _e1624, (_e1624 > _e1627));
-                                                                            let _e1632 = bitcast<f32>((bitcast<u32>(_e1489.z) & 2147483647u));
-                                                                            let _e1636 = (bitcast<f32>((bitcast<u32>(_e1534) & 2147483647u)) > ((0.0000038146973f * select(_e1618, _e1615, (_e1615 > _e1618))) * select(_e1632, _e1629, (_e1629 > _e1632))));
-                                                                            if _e1636 {
-                                                                                phi_2436_ = (_e1529 / _e1534);
+                                                                        let _e1154 = phi_2269_;
+                                                                        let _e1165 = (((_e1136 * (_e1154.x - _e315)) + (_e1141 * (_e1154.y - _e384))) + (_e1144 * (_e1154.z - _e452)));
+                                                                        let _e1170 = (((_e1136 * _e355) + (_e1141 * _e423)) + (_e1144 * _e491));
+                                                                        let _e1171 = (_e1117 - _e1121);
+                                                                        let _e1172 = (_e1115 - _e1119);
+                                                                        let _e1180 = (-(((_e1121 * _e1171) + (_e1119 * _e1172))) / ((_e1171 * _e1171) + (_e1172 * _e1172)));
+                                                                        let _e1182 = select(1f, _e1180, (_e1180 < 1f));
+                                                                        let _e1184 = select(0f, _e1182, (_e1182 > 0f));
+                                                                        let _e1197 = ((_e1123.x + (_e1129.x * _e1184)) - _e315);
+                                                                        let _e1198 = ((_e1123.y + (_e1129.y * _e1184)) - _e384);
+                                                                        let _e1199 = ((_e1123.z + (_e1129.z * _e1184)) - _e452);
+                                                                        let _e1200 = (_e1199 / _e491);
+                                                                        let _e1212 = bitcast<f32>((bitcast<u32>(_e1197) & 2147483647u));
+                                                                        let _e1215 = bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u));
+                                                                        let _e1217 = select(_e1215, _e1212, (_e1212 > _e1215));
+                                                                        let _e1220 = bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u));
+                                                                        let _e1222 = select(_e1220, _e1217, (_e1217 > _e1220));
+                                                                        let _e1228 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
+                                                                        let _e1231 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
+                                                                        let _e1233 = select(_e1231, _e1228, (_e1228 > _e1231));
+                                                                        let _e1236 = bitcast<f32>((bitcast<u32>(_e1144) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1136 * _e1197) + (_e1141 * _e1198)) + (_e1144 * _e1199)) - _e1165)) & 2147483647u)) <= ((0.0000009536743f * select(_e1102, _e1222, (_e1222 > _e1102))) * select(_e1236, _e1233, (_e1233 > _e1236)))) {
+                                                                            let _e1246 = bitcast<f32>((bitcast<u32>(_e1127.x) & 2147483647u));
+                                                                            let _e1249 = bitcast<f32>((bitcast<u32>(_e1127.y) & 2147483647u));
+                                                                            let _e1251 = select(_e1249, _e1246, (_e1246 > _e1249));
+                                                                            let _e1254 = bitcast<f32>((bitcast<u32>(_e1127.z) & 2147483647u));
+                                                                            let _e1260 = bitcast<f32>((bitcast<u32>(_e1125.x) & 2147483647u));
+                                                                            let _e1263 = bitcast<f32>((bitcast<u32>(_e1125.y) & 2147483647u));
+                                                                            let _e1265 = select(_e1263, _e1260, (_e1260 > _e1263));
+                                                                            let _e1268 = bitcast<f32>((bitcast<u32>(_e1125.z) & 2147483647u));
+                                                                            let _e1272 = (bitcast<f32>((bitcast<u32>(_e1170) & 2147483647u)) > ((0.0000038146973f * select(_e1254, _e1251, (_e1251 > _e1254))) * select(_e1268, _e1265, (_e1265 > _e1268))));
+                                                                            if _e1272 {
+                                                                                phi_2434_ = (_e1165 / _e1170);
                                                                             } else {
-                                                                                phi_2436_ = f32();
+                                                                                phi_2434_ = f32();
                                                                             }
-                                                                            let _e1639 = phi_2436_;
-                                                                            phi_2438_ = _e1639;
-                                                                            phi_2439_ = select(true, false, _e1636);
+                                                                            let _e1275 = phi_2434_;
+                                                                            phi_2436_ = _e1275;
+                                                                            phi_2437_ = select(true, false, _e1272);
                                                                         } else {
-                                                                            phi_2438_ = f32();
-                                                                            phi_2439_ = true;
+                                                                            phi_2436_ = f32();
+                                                                            phi_2437_ = true;
                                                                         }
-                                                                        let _e1642 = phi_2438_;
-                                                                        let _e1644 = phi_2439_;
-                                                                        if _e1644 {
-                                                                            let _e1652 = (((_e1500 * (_e1561 - (_e355 * _e1564))) + (_e1505 * (_e1562 - (_e423 * _e1564)))) / _e1534);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1652) & 2147483647u)) <= _e1466) {
-                                                                                phi_2459_ = (_e1564 + _e1652);
+                                                                        let _e1278 = phi_2436_;
+                                                                        let _e1280 = phi_2437_;
+                                                                        if _e1280 {
+                                                                            let _e1288 = (((_e1136 * (_e1197 - (_e355 * _e1200))) + (_e1141 * (_e1198 - (_e423 * _e1200)))) / _e1170);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1288) & 2147483647u)) <= _e1102) {
+                                                                                phi_2457_ = (_e1200 + _e1288);
                                                                             } else {
-                                                                                phi_2459_ = _e1564;
+                                                                                phi_2457_ = _e1200;
                                                                             }
-                                                                            let _e1659 = phi_2459_;
-                                                                            phi_2460_ = _e1659;
+                                                                            let _e1295 = phi_2457_;
+                                                                            phi_2458_ = _e1295;
                                                                         } else {
-                                                                            phi_2460_ = _e1642;
+                                                                            phi_2458_ = _e1278;
                                                                         }
-                                                                        let _e1661 = phi_2460_;
-                                                                        let _e1663 = select(_e1399, _e1661, (_e1661 < _e1399));
-                                                                        let _e1665 = select(_e1391, _e1663, (_e1663 > _e1391));
-                                                                        if (_e1665 >= _e606) {
-                                                                            let _e1667 = (_e1665 <= _e1059);
-                                                                            if _e1667 {
-                                                                                let _e1668 = (1f / _e1318);
-                                                                                phi_2483_ = type_18(_e1665, (_e1312 * _e1668), (_e1316 * _e1668), _e1087);
+                                                                        let _e1297 = phi_2458_;
+                                                                        let _e1299 = select(_e1035, _e1297, (_e1297 < _e1035));
+                                                                        let _e1301 = select(_e1027, _e1299, (_e1299 > _e1027));
+                                                                        if (_e1301 >= _e606) {
+                                                                            let _e1303 = (_e1301 <= _e695);
+                                                                            if _e1303 {
+                                                                                let _e1304 = (1f / _e954);
+                                                                                phi_2481_ = type_18(_e1301, (_e948 * _e1304), (_e952 * _e1304), _e723);
                                                                             } else {
-                                                                                phi_2483_ = type_18();
+                                                                                phi_2481_ = type_18();
                                                                             }
-                                                                            let _e1673 = phi_2483_;
-                                                                            phi_2485_ = _e1673;
-                                                                            phi_2486_ = select(true, false, _e1667);
+                                                                            let _e1309 = phi_2481_;
+                                                                            phi_2483_ = _e1309;
+                                                                            phi_2484_ = select(true, false, _e1303);
                                                                         } else {
-                                                                            phi_2485_ = type_18();
-                                                                            phi_2486_ = true;
+                                                                            phi_2483_ = type_18();
+                                                                            phi_2484_ = true;
                                                                         }
-                                                                        let _e1676 = phi_2485_;
-                                                                        let _e1678 = phi_2486_;
-                                                                        if _e1678 {
-                                                                            phi_2490_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1312 = phi_2483_;
+                                                                        let _e1314 = phi_2484_;
+                                                                        if _e1314 {
+                                                                            phi_2488_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2490_ = _e1676;
+                                                                            phi_2488_ = _e1312;
                                                                         }
-                                                                        let _e1680 = phi_2490_;
-                                                                        phi_2491_ = _e1680;
+                                                                        let _e1316 = phi_2488_;
+                                                                        phi_2489_ = _e1316;
                                                                     }
-                                                                    let _e1682 = phi_2491_;
-                                                                    phi_2492_ = _e1682;
-                                                                    phi_2493_ = _e1408;
+                                                                    let _e1318 = phi_2489_;
+                                                                    phi_2490_ = _e1318;
+                                                                    phi_2491_ = _e1044;
                                                                 }
-                                                                let _e1684 = phi_2492_;
-                                                                let _e1686 = phi_2493_;
-                                                                phi_2497_ = _e1684;
-                                                                phi_2498_ = _e1686;
+                                                                let _e1320 = phi_2490_;
+                                                                let _e1322 = phi_2491_;
+                                                                phi_2495_ = _e1320;
+                                                                phi_2496_ = _e1322;
                                                             }
-                                                            let _e1688 = phi_2497_;
-                                                            let _e1690 = phi_2498_;
-                                                            phi_2499_ = _e1688;
-                                                            phi_2500_ = _e1343;
-                                                            phi_2501_ = _e1690;
+                                                            let _e1324 = phi_2495_;
+                                                            let _e1326 = phi_2496_;
+                                                            phi_2497_ = _e1324;
+                                                            phi_2498_ = _e979;
+                                                            phi_2499_ = _e1326;
                                                         }
-                                                        let _e1692 = phi_2499_;
-                                                        let _e1694 = phi_2500_;
-                                                        let _e1696 = phi_2501_;
-                                                        phi_2502_ = _e1692;
-                                                        phi_2503_ = _e1694;
-                                                        phi_2504_ = _e1696;
+                                                        let _e1328 = phi_2497_;
+                                                        let _e1330 = phi_2498_;
+                                                        let _e1332 = phi_2499_;
+                                                        phi_2500_ = _e1328;
+                                                        phi_2501_ = _e1330;
+                                                        phi_2502_ = _e1332;
                                                     }
-                                                    let _e1698 = phi_2502_;
-                                                    let _e1700 = phi_2503_;
-                                                    let _e1702 = phi_2504_;
-                                                    phi_2512_ = _e1698;
-                                                    phi_2513_ = select(_e1702, true, _e1700);
+                                                    let _e1334 = phi_2500_;
+                                                    let _e1336 = phi_2501_;
+                                                    let _e1338 = phi_2502_;
+                                                    phi_2510_ = _e1334;
+                                                    phi_2511_ = select(_e1338, true, _e1336);
                                                 } else {
-                                                    phi_2512_ = type_18();
-                                                    phi_2513_ = true;
+                                                    phi_2510_ = type_18();
+                                                    phi_2511_ = true;
                                                 }
-                                                let _e1705 = phi_2512_;
-                                                let _e1707 = phi_2513_;
-                                                if _e1707 {
-                                                    phi_2517_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1341 = phi_2510_;
+                                                let _e1343 = phi_2511_;
+                                                if _e1343 {
+                                                    phi_2515_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2517_ = _e1705;
+                                                    phi_2515_ = _e1341;
                                                 }
-                                                let _e1709 = phi_2517_;
-                                                if (_e1709.member_3 != 4294967295u) {
-                                                    if (_e1087 != 4294967295u) {
-                                                        phi_2529_ = type_4(0u, 8u);
-                                                        phi_2532_ = _e1709;
+                                                let _e1345 = phi_2515_;
+                                                if (_e1345.member_3 != 4294967295u) {
+                                                    if (_e723 != 4294967295u) {
+                                                        phi_2527_ = type_4(0u, 8u);
+                                                        phi_2530_ = _e1345;
                                                         loop {
-                                                            let _e1714 = phi_2529_;
-                                                            let _e1716 = phi_2532_;
-                                                            if (_e1714.member < _e1714.member_1) {
-                                                                phi_2530_ = type_4((_e1714.member + 1u), _e1714.member_1);
-                                                                phi_2555_ = type_4(1u, _e1714.member);
+                                                            let _e1350 = phi_2527_;
+                                                            let _e1352 = phi_2530_;
+                                                            if (_e1350.member < _e1350.member_1) {
+                                                                phi_2528_ = type_4((_e1350.member + 1u), _e1350.member_1);
+                                                                phi_2553_ = type_4(1u, _e1350.member);
                                                             } else {
-                                                                phi_2530_ = _e1714;
-                                                                phi_2555_ = type_4(0u, type_4().member_1);
+                                                                phi_2528_ = _e1350;
+                                                                phi_2553_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1729 = phi_2530_;
-                                                            let _e1731 = phi_2555_;
-                                                            let _e1735 = (bitcast<i32>(_e1731.member) != 0i);
-                                                            if _e1735 {
-                                                                let _e1736 = (_e1731.member_1 < 8u);
-                                                                if _e1736 {
+                                                            let _e1365 = phi_2528_;
+                                                            let _e1367 = phi_2553_;
+                                                            let _e1371 = (bitcast<i32>(_e1367.member) != 0i);
+                                                            if _e1371 {
+                                                                let _e1372 = (_e1367.member_1 < 8u);
+                                                                if _e1372 {
                                                                 } else {
-                                                                    phi_4013_ = true;
+                                                                    phi_3990_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1741 = local_7[_e1731.member_1].member;
-                                                                if (_e1716.member < _e1741) {
-                                                                    phi_2588_ = true;
+                                                                let _e1377 = local_7[_e1367.member_1].member;
+                                                                if (_e1352.member < _e1377) {
+                                                                    phi_2586_ = true;
                                                                 } else {
-                                                                    let _e1743 = local_7[_e1731.member_1].member;
-                                                                    if (_e1716.member == _e1743) {
-                                                                        let _e1748 = local_7[_e1731.member_1].member_3;
-                                                                        phi_2587_ = (_e1716.member_3 < _e1748);
+                                                                    let _e1379 = local_7[_e1367.member_1].member;
+                                                                    if (_e1352.member == _e1379) {
+                                                                        let _e1384 = local_7[_e1367.member_1].member_3;
+                                                                        phi_2585_ = (_e1352.member_3 < _e1384);
                                                                     } else {
-                                                                        phi_2587_ = false;
+                                                                        phi_2585_ = false;
                                                                     }
-                                                                    let _e1751 = phi_2587_;
-                                                                    phi_2588_ = _e1751;
+                                                                    let _e1387 = phi_2585_;
+                                                                    phi_2586_ = _e1387;
                                                                 }
-                                                                let _e1753 = phi_2588_;
-                                                                if _e1753 {
-                                                                    if _e1736 {
+                                                                let _e1389 = phi_2586_;
+                                                                if _e1389 {
+                                                                    if _e1372 {
                                                                     } else {
-                                                                        phi_4013_ = true;
+                                                                        phi_3990_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1754 = local_7[_e1731.member_1];
-                                                                    local_7[_e1731.member_1] = type_18(_e1716.member, _e1716.member_1, _e1716.member_2, _e1716.member_3);
-                                                                    phi_2609_ = type_18(_e1754.member, _e1754.member_1, _e1754.member_2, _e1754.member_3);
+                                                                    let _e1390 = local_7[_e1367.member_1];
+                                                                    local_7[_e1367.member_1] = type_18(_e1352.member, _e1352.member_1, _e1352.member_2, _e1352.member_3);
+                                                                    phi_2607_ = type_18(_e1390.member, _e1390.member_1, _e1390.member_2, _e1390.member_3);
                                                                 } else {
-                                                                    phi_2609_ = _e1716;
+                                                                    phi_2607_ = _e1352;
                                                                 }
-                                                                let _e1765 = phi_2609_;
-                                                                phi_2533_ = _e1765;
+                                                                let _e1401 = phi_2607_;
+                                                                phi_2531_ = _e1401;
                                                             } else {
-                                                                phi_2533_ = type_18();
+                                                                phi_2531_ = type_18();
                                                             }
-                                                            let _e1767 = phi_2533_;
+                                                            let _e1403 = phi_2531_;
                                                             continue;
                                                             continuing {
-                                                                phi_2529_ = _e1729;
-                                                                phi_2532_ = _e1767;
-                                                                phi_4013_ = _e1057;
-                                                                break if !(_e1735);
+                                                                phi_2527_ = _e1365;
+                                                                phi_2530_ = _e1403;
+                                                                phi_3990_ = _e693;
+                                                                break if !(_e1371);
                                                             }
                                                         }
-                                                        let _e1770 = phi_4013_;
-                                                        phi_4316_ = _e1059;
-                                                        phi_4191_ = _e1770;
-                                                        if _e1770 {
+                                                        let _e1406 = phi_3990_;
+                                                        phi_4199_ = _e695;
+                                                        phi_4168_ = _e1406;
+                                                        if _e1406 {
                                                             break;
                                                         }
-                                                        let _e1773 = local_7[7u].member_3;
-                                                        if (_e1773 != 4294967295u) {
-                                                            let _e1777 = local_7[7u].member;
-                                                            phi_4407_ = _e1777;
+                                                        let _e1409 = local_7[7u].member_3;
+                                                        if (_e1409 != 4294967295u) {
+                                                            let _e1413 = local_7[7u].member;
+                                                            phi_4290_ = _e1413;
                                                         } else {
-                                                            phi_4407_ = _e1059;
+                                                            phi_4290_ = _e695;
                                                         }
-                                                        let _e1779 = phi_4407_;
-                                                        phi_4406_ = _e1779;
-                                                        phi_4194_ = _e1770;
+                                                        let _e1415 = phi_4290_;
+                                                        phi_4289_ = _e1415;
+                                                        phi_4171_ = _e1406;
                                                     } else {
-                                                        phi_4406_ = _e1059;
-                                                        phi_4194_ = _e1057;
+                                                        phi_4289_ = _e695;
+                                                        phi_4171_ = _e693;
                                                     }
-                                                    let _e1781 = phi_4406_;
-                                                    let _e1783 = phi_4194_;
-                                                    phi_4405_ = _e1781;
-                                                    phi_4193_ = _e1783;
+                                                    let _e1417 = phi_4289_;
+                                                    let _e1419 = phi_4171_;
+                                                    phi_4288_ = _e1417;
+                                                    phi_4170_ = _e1419;
                                                 } else {
-                                                    phi_4405_ = _e1059;
-                                                    phi_4193_ = _e1057;
+                                                    phi_4288_ = _e695;
+                                                    phi_4170_ = _e693;
                                                 }
-                                                let _e1785 = phi_4405_;
-                                                let _e1787 = phi_4193_;
-                                                phi_4404_ = _e1785;
-                                                phi_4192_ = _e1787;
+                                                let _e1421 = phi_4288_;
+                                                let _e1423 = phi_4170_;
+                                                phi_4287_ = _e1421;
+                                                phi_4169_ = _e1423;
                                             } else {
-                                                phi_4404_ = _e1059;
-                                                phi_4192_ = _e1057;
+                                                phi_4287_ = _e695;
+                                                phi_4169_ = _e693;
                                             }
-                                            let _e1789 = phi_4404_;
-                                            let _e1791 = phi_4192_;
+                                            let _e1425 = phi_4287_;
+                                            let _e1427 = phi_4169_;
                                             continue;
                                             continuing {
-                                                phi_4040_ = _e1791;
-                                                phi_4012_ = _e1789;
-                                                phi_1290_ = _e1074;
-                                                phi_4316_ = _e1789;
-                                                phi_4191_ = _e1791;
-                                                break if !(_e1080);
+                                                phi_4017_ = _e1427;
+                                                phi_3988_ = _e1425;
+                                                phi_1288_ = _e710;
+                                                phi_4199_ = _e1425;
+                                                phi_4168_ = _e1427;
+                                                break if !(_e716);
                                             }
                                         }
-                                        let _e1794 = phi_4316_;
-                                        let _e1796 = phi_4191_;
-                                        phi_4196_ = _e1796;
-                                        if _e1796 {
+                                        let _e1430 = phi_4199_;
+                                        let _e1432 = phi_4168_;
+                                        phi_4291_ = _e1432;
+                                        if _e1432 {
                                             break;
                                         }
-                                        phi_4281_ = _e1794;
-                                        phi_4200_ = _e1796;
-                                        phi_3634_ = false;
-                                        phi_3635_ = _e679;
-                                        phi_3636_ = _e681;
+                                        phi_4350_ = _e1432;
+                                        phi_4198_ = _e1430;
                                     } else {
-                                        let _e691 = (_e681.member_1 < _e88);
-                                        if _e691 {
-                                            if _e691 {
+                                        phi_4350_ = _e637;
+                                        phi_4198_ = _e639;
+                                    }
+                                    let _e1434 = phi_4350_;
+                                    let _e1436 = phi_4198_;
+                                    if _e685 {
+                                        phi_3626_ = bool();
+                                        phi_3627_ = u32();
+                                        phi_3628_ = type_52();
+                                    } else {
+                                        let _e1437 = (_e681.member_1 < _e88);
+                                        if _e1437 {
+                                            if _e1437 {
                                             } else {
-                                                phi_4196_ = true;
+                                                phi_4291_ = true;
                                                 break;
                                             }
-                                            let _e693 = global_4.member[_e681.member_1];
-                                            phi_2646_ = _e693;
+                                            let _e1439 = global_4.member[_e681.member_1];
+                                            phi_2639_ = _e1439;
                                         } else {
-                                            phi_2646_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2639_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e695 = phi_2646_;
-                                        let _e710 = ((10u * _e251) & 31u);
-                                        let _e713 = ((_e695.member[0] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e721 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e123));
-                                        let _e726 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e713)) - 8388608f) * _e721)) ^ _e123)));
-                                        let _e730 = select(select(_e681.member.member_1[0], _e726, (_e726 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e713 == 1023u));
-                                        let _e732 = ((10u * _e250) & 31u);
-                                        let _e735 = ((_e695.member[0] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e743 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e123));
-                                        let _e748 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e735)) - 8388608f) * _e743)) ^ _e123)));
-                                        let _e752 = select(select(_e681.member.member_1[1], _e748, (_e748 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e735 == 1023u));
-                                        let _e754 = ((10u * _e252) & 31u);
-                                        let _e757 = ((_e695.member[0] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e765 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e123));
-                                        let _e770 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e757)) - 8388608f) * _e765)) ^ _e123)));
-                                        let _e774 = select(select(_e681.member.member_1[2], _e770, (_e770 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e757 == 1023u));
-                                        let _e777 = ((_e695.member[1] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e785 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e777)) - 8388608f) * _e721)) ^ _e123)));
-                                        let _e789 = select(select(_e681.member.member_1[0], _e785, (_e785 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e777 == 1023u));
-                                        let _e792 = ((_e695.member[1] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e800 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e792)) - 8388608f) * _e743)) ^ _e123)));
-                                        let _e804 = select(select(_e681.member.member_1[1], _e800, (_e800 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e792 == 1023u));
-                                        let _e807 = ((_e695.member[1] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e815 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e765)) ^ _e123)));
-                                        let _e819 = select(select(_e681.member.member_1[2], _e815, (_e815 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e807 == 1023u));
-                                        let _e825 = ((_e695.member_1[0] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e833 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e825)) - 8388608f) * _e721)) ^ _e123)));
-                                        let _e837 = select(select(_e681.member.member_1[0], _e833, (_e833 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e825 == 1023u));
-                                        let _e840 = ((_e695.member_1[0] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e848 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e840)) - 8388608f) * _e743)) ^ _e123)));
-                                        let _e852 = select(select(_e681.member.member_1[1], _e848, (_e848 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e840 == 1023u));
-                                        let _e855 = ((_e695.member_1[0] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e863 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e855)) - 8388608f) * _e765)) ^ _e123)));
-                                        let _e867 = select(select(_e681.member.member_1[2], _e863, (_e863 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e855 == 1023u));
-                                        let _e870 = ((_e695.member_1[1] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e878 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e721)) ^ _e123)));
-                                        let _e882 = select(select(_e681.member.member_1[0], _e878, (_e878 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e870 == 1023u));
-                                        let _e885 = ((_e695.member_1[1] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e893 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e885)) - 8388608f) * _e743)) ^ _e123)));
-                                        let _e897 = select(select(_e681.member.member_1[1], _e893, (_e893 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e885 == 1023u));
-                                        let _e900 = ((_e695.member_1[1] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e908 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e900)) - 8388608f) * _e765)) ^ _e123)));
-                                        let _e912 = select(select(_e681.member.member_1[2], _e908, (_e908 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e900 == 1023u));
-                                        let _e917 = type_52(type_44(array<f32, 3>(_e730, _e752, _e774), array<f32, 3>(_e789, _e804, _e819)), _e695.member_2);
-                                        let _e922 = type_52(type_44(array<f32, 3>(_e837, _e852, _e867), array<f32, 3>(_e882, _e897, _e912)), _e695.member_3);
-                                        let _e927 = ((_e730 - _e353) * _e358);
-                                        let _e928 = ((_e837 - _e353) * _e358);
-                                        let _e929 = ((_e789 - _e354) * _e358);
-                                        let _e930 = ((_e882 - _e354) * _e358);
-                                        let _e935 = ((_e752 - _e421) * _e426);
-                                        let _e936 = ((_e852 - _e421) * _e426);
-                                        let _e937 = ((_e804 - _e422) * _e426);
-                                        let _e938 = ((_e897 - _e422) * _e426);
-                                        let _e943 = ((_e774 - _e489) * _e494);
-                                        let _e944 = ((_e867 - _e489) * _e494);
-                                        let _e945 = ((_e819 - _e490) * _e494);
-                                        let _e946 = ((_e912 - _e490) * _e494);
-                                        let _e948 = select(_e945, _e943, (_e943 < _e945));
-                                        let _e950 = select(_e946, _e944, (_e944 < _e946));
-                                        let _e952 = select(_e945, _e943, (_e943 > _e945));
-                                        let _e954 = select(_e946, _e944, (_e944 > _e946));
-                                        let _e956 = select(_e929, _e927, (_e927 < _e929));
-                                        let _e958 = select(_e930, _e928, (_e928 < _e930));
-                                        let _e960 = select(_e937, _e935, (_e935 < _e937));
-                                        let _e962 = select(_e938, _e936, (_e936 < _e938));
-                                        let _e964 = select(_e960, _e956, (_e956 > _e960));
-                                        let _e966 = select(_e962, _e958, (_e958 > _e962));
-                                        let _e968 = select(_e948, _e964, (_e964 > _e948));
-                                        let _e970 = select(_e950, _e966, (_e966 > _e950));
-                                        let _e972 = select(_e929, _e927, (_e927 > _e929));
-                                        let _e974 = select(_e930, _e928, (_e928 > _e930));
-                                        let _e976 = select(_e937, _e935, (_e935 > _e937));
-                                        let _e978 = select(_e938, _e936, (_e936 > _e938));
-                                        let _e980 = select(_e976, _e972, (_e972 < _e976));
-                                        let _e982 = select(_e978, _e974, (_e974 < _e978));
-                                        let _e987 = -(_e948);
-                                        let _e988 = -(_e950);
-                                        let _e995 = (select(_e952, _e980, (_e980 < _e952)) + (select(_e987, _e952, (_e952 > _e987)) * 0.0000019073523f));
-                                        let _e996 = (select(_e954, _e982, (_e982 < _e954)) + (select(_e988, _e954, (_e954 > _e988)) * 0.0000019073523f));
-                                        let _e998 = select(_e606, _e968, (_e968 > _e606));
-                                        let _e1000 = select(_e606, _e970, (_e970 > _e606));
-                                        let _e1005 = (_e998 <= select(_e639, _e995, (_e995 < _e639)));
-                                        let _e1006 = (_e1000 <= select(_e639, _e996, (_e996 < _e639)));
-                                        let _e1007 = (_e998 <= _e1000);
-                                        if _e1005 {
-                                            if _e1006 {
-                                                if _e1007 {
-                                                    phi_3533_ = _e922;
+                                        let _e1441 = phi_2639_;
+                                        let _e1456 = ((10u * _e251) & 31u);
+                                        let _e1459 = ((_e1441.member[0] >> bitcast<u32>(_e1456)) & 1023u);
+                                        let _e1467 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e123));
+                                        let _e1472 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1459)) - 8388608f) * _e1467)) ^ _e123)));
+                                        let _e1476 = select(select(_e681.member.member_1[0], _e1472, (_e1472 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1459 == 1023u));
+                                        let _e1478 = ((10u * _e250) & 31u);
+                                        let _e1481 = ((_e1441.member[0] >> bitcast<u32>(_e1478)) & 1023u);
+                                        let _e1489 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e123));
+                                        let _e1494 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1481)) - 8388608f) * _e1489)) ^ _e123)));
+                                        let _e1498 = select(select(_e681.member.member_1[1], _e1494, (_e1494 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1481 == 1023u));
+                                        let _e1500 = ((10u * _e252) & 31u);
+                                        let _e1503 = ((_e1441.member[0] >> bitcast<u32>(_e1500)) & 1023u);
+                                        let _e1511 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e123));
+                                        let _e1516 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1503)) - 8388608f) * _e1511)) ^ _e123)));
+                                        let _e1520 = select(select(_e681.member.member_1[2], _e1516, (_e1516 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1503 == 1023u));
+                                        let _e1523 = ((_e1441.member[1] >> bitcast<u32>(_e1456)) & 1023u);
+                                        let _e1531 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1523)) - 8388608f) * _e1467)) ^ _e123)));
+                                        let _e1535 = select(select(_e681.member.member_1[0], _e1531, (_e1531 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1523 == 1023u));
+                                        let _e1538 = ((_e1441.member[1] >> bitcast<u32>(_e1478)) & 1023u);
+                                        let _e1546 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1538)) - 8388608f) * _e1489)) ^ _e123)));
+                                        let _e1550 = select(select(_e681.member.member_1[1], _e1546, (_e1546 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1538 == 1023u));
+                                        let _e1553 = ((_e1441.member[1] >> bitcast<u32>(_e1500)) & 1023u);
+                                        let _e1561 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1553)) - 8388608f) * _e1511)) ^ _e123)));
+                                        let _e1565 = select(select(_e681.member.member_1[2], _e1561, (_e1561 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1553 == 1023u));
+                                        let _e1571 = ((_e1441.member_1[0] >> bitcast<u32>(_e1456)) & 1023u);
+                                        let _e1579 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1571)) - 8388608f) * _e1467)) ^ _e123)));
+                                        let _e1583 = select(select(_e681.member.member_1[0], _e1579, (_e1579 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1571 == 1023u));
+                                        let _e1586 = ((_e1441.member_1[0] >> bitcast<u32>(_e1478)) & 1023u);
+                                        let _e1594 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1586)) - 8388608f) * _e1489)) ^ _e123)));
+                                        let _e1598 = select(select(_e681.member.member_1[1], _e1594, (_e1594 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1586 == 1023u));
+                                        let _e1601 = ((_e1441.member_1[0] >> bitcast<u32>(_e1500)) & 1023u);
+                                        let _e1609 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1601)) - 8388608f) * _e1511)) ^ _e123)));
+                                        let _e1613 = select(select(_e681.member.member_1[2], _e1609, (_e1609 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1601 == 1023u));
+                                        let _e1616 = ((_e1441.member_1[1] >> bitcast<u32>(_e1456)) & 1023u);
+                                        let _e1624 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1616)) - 8388608f) * _e1467)) ^ _e123)));
+                                        let _e1628 = select(select(_e681.member.member_1[0], _e1624, (_e1624 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1616 == 1023u));
+                                        let _e1631 = ((_e1441.member_1[1] >> bitcast<u32>(_e1478)) & 1023u);
+                                        let _e1639 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1631)) - 8388608f) * _e1489)) ^ _e123)));
+                                        let _e1643 = select(select(_e681.member.member_1[1], _e1639, (_e1639 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1631 == 1023u));
+                                        let _e1646 = ((_e1441.member_1[1] >> bitcast<u32>(_e1500)) & 1023u);
+                                        let _e1654 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1646)) - 8388608f) * _e1511)) ^ _e123)));
+                                        let _e1658 = select(select(_e681.member.member_1[2], _e1654, (_e1654 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1646 == 1023u));
+                                        let _e1663 = type_52(type_44(array<f32, 3>(_e1476, _e1498, _e1520), array<f32, 3>(_e1535, _e1550, _e1565)), _e1441.member_2);
+                                        let _e1668 = type_52(type_44(array<f32, 3>(_e1583, _e1598, _e1613), array<f32, 3>(_e1628, _e1643, _e1658)), _e1441.member_3);
+                                        let _e1673 = ((_e1476 - _e353) * _e358);
+                                        let _e1674 = ((_e1583 - _e353) * _e358);
+                                        let _e1675 = ((_e1535 - _e354) * _e358);
+                                        let _e1676 = ((_e1628 - _e354) * _e358);
+                                        let _e1681 = ((_e1498 - _e421) * _e426);
+                                        let _e1682 = ((_e1598 - _e421) * _e426);
+                                        let _e1683 = ((_e1550 - _e422) * _e426);
+                                        let _e1684 = ((_e1643 - _e422) * _e426);
+                                        let _e1689 = ((_e1520 - _e489) * _e494);
+                                        let _e1690 = ((_e1613 - _e489) * _e494);
+                                        let _e1691 = ((_e1565 - _e490) * _e494);
+                                        let _e1692 = ((_e1658 - _e490) * _e494);
+                                        let _e1694 = select(_e1691, _e1689, (_e1689 < _e1691));
+                                        let _e1696 = select(_e1692, _e1690, (_e1690 < _e1692));
+                                        let _e1698 = select(_e1691, _e1689, (_e1689 > _e1691));
+                                        let _e1700 = select(_e1692, _e1690, (_e1690 > _e1692));
+                                        let _e1702 = select(_e1675, _e1673, (_e1673 < _e1675));
+                                        let _e1704 = select(_e1676, _e1674, (_e1674 < _e1676));
+                                        let _e1706 = select(_e1683, _e1681, (_e1681 < _e1683));
+                                        let _e1708 = select(_e1684, _e1682, (_e1682 < _e1684));
+                                        let _e1710 = select(_e1706, _e1702, (_e1702 > _e1706));
+                                        let _e1712 = select(_e1708, _e1704, (_e1704 > _e1708));
+                                        let _e1714 = select(_e1694, _e1710, (_e1710 > _e1694));
+                                        let _e1716 = select(_e1696, _e1712, (_e1712 > _e1696));
+                                        let _e1718 = select(_e1675, _e1673, (_e1673 > _e1675));
+                                        let _e1720 = select(_e1676, _e1674, (_e1674 > _e1676));
+                                        let _e1722 = select(_e1683, _e1681, (_e1681 > _e1683));
+                                        let _e1724 = select(_e1684, _e1682, (_e1682 > _e1684));
+                                        let _e1726 = select(_e1722, _e1718, (_e1718 < _e1722));
+                                        let _e1728 = select(_e1724, _e1720, (_e1720 < _e1724));
+                                        let _e1733 = -(_e1694);
+                                        let _e1734 = -(_e1696);
+                                        let _e1741 = (select(_e1698, _e1726, (_e1726 < _e1698)) + (select(_e1733, _e1698, (_e1698 > _e1733)) * 0.0000019073523f));
+                                        let _e1742 = (select(_e1700, _e1728, (_e1728 < _e1700)) + (select(_e1734, _e1700, (_e1700 > _e1734)) * 0.0000019073523f));
+                                        let _e1744 = select(_e606, _e1714, (_e1714 > _e606));
+                                        let _e1746 = select(_e606, _e1716, (_e1716 > _e606));
+                                        let _e1751 = (_e1744 <= select(_e1436, _e1741, (_e1741 < _e1436)));
+                                        let _e1752 = (_e1746 <= select(_e1436, _e1742, (_e1742 < _e1436)));
+                                        let _e1753 = (_e1744 <= _e1746);
+                                        if _e1751 {
+                                            if _e1752 {
+                                                if _e1753 {
+                                                    phi_3526_ = _e1668;
                                                 } else {
-                                                    phi_3533_ = _e917;
+                                                    phi_3526_ = _e1663;
                                                 }
-                                                let _e1009 = phi_3533_;
-                                                let _e1017 = (_e679 % 128u);
-                                                let _e1018 = (_e1017 < 128u);
-                                                if _e1018 {
+                                                let _e1755 = phi_3526_;
+                                                let _e1762 = (_e679 % 128u);
+                                                let _e1763 = (_e1762 < 128u);
+                                                if _e1763 {
                                                 } else {
-                                                    phi_4196_ = true;
+                                                    phi_4291_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1017] = _e1009.member_1;
-                                                if _e1018 {
+                                                local_6[_e1762] = _e1755.member_1;
+                                                if _e1763 {
                                                 } else {
-                                                    phi_4196_ = true;
+                                                    phi_4291_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1017] = _e1009.member.member[0];
-                                                if _e1018 {
+                                                local_5[_e1762] = _e1755.member.member[0];
+                                                if _e1763 {
                                                 } else {
-                                                    phi_4196_ = true;
+                                                    phi_4291_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1017] = _e1009.member.member[1];
-                                                if _e1018 {
+                                                local_4[_e1762] = _e1755.member.member[1];
+                                                if _e1763 {
                                                 } else {
-                                                    phi_4196_ = true;
+                                                    phi_4291_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1017] = _e1009.member.member[2];
-                                                if _e1018 {
+                                                local_3[_e1762] = _e1755.member.member[2];
+                                                if _e1763 {
                                                 } else {
-                                                    phi_4196_ = true;
+                                                    phi_4291_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1017] = _e1009.member.member_1[0];
-                                                if _e1018 {
+                                                local_2[_e1762] = _e1755.member.member_1[0];
+                                                if _e1763 {
                                                 } else {
-                                                    phi_4196_ = true;
+                                                    phi_4291_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1017] = _e1009.member.member_1[1];
-                                                if _e1018 {
+                                                local_1[_e1762] = _e1755.member.member_1[1];
+                                                if _e1763 {
                                                 } else {
-                                                    phi_4196_ = true;
+                                                    phi_4291_ = true;
                                                     break;
                                                 }
-                                                local[_e1017] = _e1009.member.member_1[2];
-                                                if _e1018 {
+                                                local[_e1762] = _e1755.member.member_1[2];
+                                                if _e1763 {
                                                 } else {
-                                                    phi_4196_ = true;
+                                                    phi_4291_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1017] = select(_e1000, _e998, !(_e1007));
-                                                if _e1007 {
-                                                    phi_3610_ = _e917;
+                                                local_8[_e1762] = select(_e1744, _e1746, _e1753);
+                                                if _e1753 {
+                                                    phi_3602_ = _e1663;
                                                 } else {
-                                                    phi_3610_ = _e922;
+                                                    phi_3602_ = _e1668;
                                                 }
-                                                let _e1035 = phi_3610_;
-                                                phi_3611_ = (_e679 + 1u);
-                                                phi_3612_ = _e1035;
+                                                let _e1780 = phi_3602_;
+                                                phi_3603_ = (_e679 + 1u);
+                                                phi_3604_ = _e1780;
                                             } else {
-                                                phi_3611_ = u32();
-                                                phi_3612_ = type_52();
+                                                phi_3603_ = u32();
+                                                phi_3604_ = type_52();
                                             }
-                                            let _e1037 = phi_3611_;
-                                            let _e1039 = phi_3612_;
-                                            phi_3614_ = _e1037;
-                                            phi_3615_ = _e1039;
-                                            phi_3616_ = select(true, false, _e1006);
+                                            let _e1782 = phi_3603_;
+                                            let _e1784 = phi_3604_;
+                                            phi_3606_ = _e1782;
+                                            phi_3607_ = _e1784;
+                                            phi_3608_ = select(true, false, _e1752);
                                         } else {
-                                            phi_3614_ = u32();
-                                            phi_3615_ = type_52();
-                                            phi_3616_ = true;
+                                            phi_3606_ = u32();
+                                            phi_3607_ = type_52();
+                                            phi_3608_ = true;
                                         }
-                                        let _e1042 = phi_3614_;
-                                        let _e1044 = phi_3615_;
-                                        let _e1046 = phi_3616_;
-                                        if _e1046 {
-                                            if _e1005 {
-                                                phi_3623_ = _e917;
+                                        let _e1787 = phi_3606_;
+                                        let _e1789 = phi_3607_;
+                                        let _e1791 = phi_3608_;
+                                        if _e1791 {
+                                            if _e1751 {
+                                                phi_3615_ = _e1663;
                                             } else {
-                                                phi_3623_ = _e922;
+                                                phi_3615_ = _e1668;
                                             }
-                                            let _e1048 = phi_3623_;
-                                            phi_3628_ = select(_e1006, true, _e1005);
-                                            phi_3630_ = _e1048;
+                                            let _e1793 = phi_3615_;
+                                            phi_3620_ = select(_e1752, true, _e1751);
+                                            phi_3622_ = _e1793;
                                         } else {
-                                            phi_3628_ = _e677;
-                                            phi_3630_ = _e1044;
+                                            phi_3620_ = _e677;
+                                            phi_3622_ = _e1789;
                                         }
-                                        let _e1051 = phi_3628_;
-                                        let _e1053 = phi_3630_;
-                                        phi_4281_ = _e639;
-                                        phi_4200_ = _e637;
-                                        phi_3634_ = _e1051;
-                                        phi_3635_ = select(_e1042, _e679, _e1046);
-                                        phi_3636_ = _e1053;
+                                        let _e1796 = phi_3620_;
+                                        let _e1798 = phi_3622_;
+                                        phi_3626_ = _e1796;
+                                        phi_3627_ = select(_e1787, _e679, _e1791);
+                                        phi_3628_ = _e1798;
                                     }
-                                    let _e1798 = phi_4281_;
-                                    let _e1800 = phi_4200_;
-                                    let _e1802 = phi_3634_;
-                                    let _e1804 = phi_3635_;
-                                    let _e1806 = phi_3636_;
-                                    phi_4280_ = _e1798;
-                                    phi_4199_ = _e1800;
-                                    phi_3637_ = _e1802;
-                                    phi_3638_ = (_e643 - 1u);
-                                    phi_3639_ = _e1804;
-                                    phi_3640_ = _e1806;
+                                    let _e1801 = phi_3626_;
+                                    let _e1803 = phi_3627_;
+                                    let _e1805 = phi_3628_;
+                                    if _e685 {
+                                        phi_3638_ = _e681;
+                                    } else {
+                                        phi_3638_ = _e1805;
+                                    }
+                                    let _e1807 = phi_3638_;
+                                    phi_4377_ = _e1436;
+                                    phi_4294_ = _e1434;
+                                    phi_3639_ = (_e641 - 1u);
+                                    phi_3640_ = select(_e1801, false, _e685);
+                                    phi_3641_ = select(_e1803, _e679, _e685);
+                                    phi_3642_ = _e1807;
                                 } else {
-                                    phi_4280_ = _e639;
-                                    phi_4199_ = _e637;
-                                    phi_3637_ = _e677;
-                                    phi_3638_ = _e643;
-                                    phi_3639_ = _e679;
-                                    phi_3640_ = _e681;
+                                    phi_4377_ = _e639;
+                                    phi_4294_ = _e637;
+                                    phi_3639_ = _e641;
+                                    phi_3640_ = _e677;
+                                    phi_3641_ = _e679;
+                                    phi_3642_ = _e681;
                                 }
-                                let _e1808 = phi_4280_;
-                                let _e1810 = phi_4199_;
-                                let _e1812 = phi_3637_;
-                                let _e1814 = phi_3638_;
-                                let _e1816 = phi_3639_;
-                                let _e1818 = phi_3640_;
-                                phi_4279_ = _e1808;
-                                phi_4198_ = _e1810;
-                                phi_3641_ = _e1812;
-                                phi_3642_ = _e1814;
-                                phi_3643_ = _e1816;
-                                phi_3644_ = _e1818;
+                                let _e1811 = phi_4377_;
+                                let _e1813 = phi_4294_;
+                                let _e1815 = phi_3639_;
+                                let _e1817 = phi_3640_;
+                                let _e1819 = phi_3641_;
+                                let _e1821 = phi_3642_;
+                                phi_4376_ = _e1811;
+                                phi_4293_ = _e1813;
+                                phi_3643_ = _e1815;
+                                phi_3644_ = _e1817;
+                                phi_3645_ = _e1819;
+                                phi_3646_ = _e1821;
                             } else {
-                                phi_4279_ = _e639;
-                                phi_4198_ = _e637;
-                                phi_3641_ = bool();
-                                phi_3642_ = u32();
+                                phi_4376_ = _e639;
+                                phi_4293_ = _e637;
                                 phi_3643_ = u32();
-                                phi_3644_ = type_52();
+                                phi_3644_ = bool();
+                                phi_3645_ = u32();
+                                phi_3646_ = type_52();
                             }
-                            let _e1820 = phi_4279_;
-                            let _e1822 = phi_4198_;
-                            let _e1824 = phi_3641_;
-                            let _e1826 = phi_3642_;
-                            let _e1828 = phi_3643_;
-                            let _e1830 = phi_3644_;
-                            phi_4278_ = _e1820;
-                            phi_4197_ = _e1822;
-                            phi_1165_ = _e1824;
-                            phi_1168_ = _e1826;
-                            phi_1170_ = _e1828;
-                            phi_1172_ = _e1830;
-                            phi_3645_ = _e651;
+                            let _e1823 = phi_4376_;
+                            let _e1825 = phi_4293_;
+                            let _e1827 = phi_3643_;
+                            let _e1829 = phi_3644_;
+                            let _e1831 = phi_3645_;
+                            let _e1833 = phi_3646_;
+                            phi_4375_ = _e1823;
+                            phi_4292_ = _e1825;
+                            phi_1163_ = _e1827;
+                            phi_1166_ = _e1829;
+                            phi_1168_ = _e1831;
+                            phi_1170_ = _e1833;
+                            phi_3647_ = _e651;
                         } else {
-                            phi_4278_ = _e639;
-                            phi_4197_ = _e637;
-                            phi_1165_ = bool();
+                            phi_4375_ = _e639;
+                            phi_4292_ = _e637;
+                            phi_1163_ = u32();
+                            phi_1166_ = bool();
                             phi_1168_ = u32();
-                            phi_1170_ = u32();
-                            phi_1172_ = type_52();
-                            phi_3645_ = false;
+                            phi_1170_ = type_52();
+                            phi_3647_ = false;
                         }
-                        let _e1832 = phi_4278_;
-                        let _e1834 = phi_4197_;
-                        let _e1836 = phi_1165_;
-                        let _e1838 = phi_1168_;
-                        let _e1840 = phi_1170_;
-                        let _e1842 = phi_1172_;
-                        let _e1844 = phi_3645_;
+                        let _e1835 = phi_4375_;
+                        let _e1837 = phi_4292_;
+                        let _e1839 = phi_1163_;
+                        let _e1841 = phi_1166_;
+                        let _e1843 = phi_1168_;
+                        let _e1845 = phi_1170_;
+                        let _e1847 = phi_3647_;
                         continue;
                         continuing {
-                            phi_4043_ = _e1834;
-                            phi_3964_ = _e1832;
-                            phi_1164_ = _e1836;
-                            phi_1167_ = _e1838;
-                            phi_1169_ = _e1840;
-                            phi_1171_ = _e1842;
-                            phi_4196_ = _e1834;
-                            break if !(_e1844);
+                            phi_4020_ = _e1837;
+                            phi_3965_ = _e1835;
+                            phi_1162_ = _e1839;
+                            phi_1165_ = _e1841;
+                            phi_1167_ = _e1843;
+                            phi_1169_ = _e1845;
+                            phi_4291_ = _e1837;
+                            break if !(_e1847);
                         }
                     }
-                    let _e1847 = phi_4196_;
-                    if _e1847 {
+                    let _e1850 = phi_4291_;
+                    if _e1850 {
                         break;
                     }
-                    phi_3652_ = type_4(0u, 8u);
+                    phi_3654_ = type_4(0u, 8u);
                     loop {
-                        let _e1849 = phi_3652_;
-                        if (_e1849.member < _e1849.member_1) {
-                            phi_3653_ = type_4((_e1849.member + 1u), _e1849.member_1);
-                            phi_3676_ = type_4(1u, _e1849.member);
+                        let _e1852 = phi_3654_;
+                        if (_e1852.member < _e1852.member_1) {
+                            phi_3655_ = type_4((_e1852.member + 1u), _e1852.member_1);
+                            phi_3678_ = type_4(1u, _e1852.member);
                         } else {
-                            phi_3653_ = _e1849;
-                            phi_3676_ = type_4(0u, type_4().member_1);
+                            phi_3655_ = _e1852;
+                            phi_3678_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1862 = phi_3653_;
-                        let _e1864 = phi_3676_;
-                        let _e1868 = (bitcast<i32>(_e1864.member) != 0i);
-                        if _e1868 {
-                            let _e1869 = (_e1864.member_1 < 8u);
-                            if _e1869 {
+                        let _e1865 = phi_3655_;
+                        let _e1867 = phi_3678_;
+                        let _e1871 = (bitcast<i32>(_e1867.member) != 0i);
+                        if _e1871 {
+                            let _e1872 = (_e1867.member_1 < 8u);
+                            if _e1872 {
                             } else {
-                                phi_4260_ = true;
+                                phi_4357_ = true;
                                 break;
                             }
-                            let _e1871 = local_7[_e1864.member_1];
-                            if (_e1871.member_3 != 4294967295u) {
-                                let _e1877 = -(_e508);
-                                let _e1878 = bitcast<u32>(_e1871.member);
-                                let _e1882 = (bitcast<i32>((_e1878 >> bitcast<u32>(23i))) & 255i);
-                                let _e1883 = (_e1882 + _e1877);
-                                if (_e1882 == 255i) {
-                                    phi_3749_ = _e1871.member;
+                            let _e1874 = local_7[_e1867.member_1];
+                            if (_e1874.member_3 != 4294967295u) {
+                                let _e1880 = -(_e508);
+                                let _e1881 = bitcast<u32>(_e1874.member);
+                                let _e1885 = (bitcast<i32>((_e1881 >> bitcast<u32>(23i))) & 255i);
+                                let _e1886 = (_e1885 + _e1880);
+                                if (_e1885 == 255i) {
+                                    phi_3751_ = _e1874.member;
                                 } else {
-                                    if (_e1882 > 0i) {
-                                        if (_e1883 > 0i) {
-                                            let _e1887 = (_e1883 < 255i);
-                                            if _e1887 {
-                                                phi_3728_ = bitcast<f32>((_e1878 + bitcast<u32>((_e1877 << bitcast<u32>(23i)))));
+                                    if (_e1885 > 0i) {
+                                        if (_e1886 > 0i) {
+                                            let _e1890 = (_e1886 < 255i);
+                                            if _e1890 {
+                                                phi_3730_ = bitcast<f32>((_e1881 + bitcast<u32>((_e1880 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3728_ = f32();
+                                                phi_3730_ = f32();
                                             }
-                                            let _e1894 = phi_3728_;
-                                            phi_3730_ = _e1894;
-                                            phi_3731_ = select(true, false, _e1887);
+                                            let _e1897 = phi_3730_;
+                                            phi_3732_ = _e1897;
+                                            phi_3733_ = select(true, false, _e1890);
                                         } else {
-                                            phi_3730_ = f32();
-                                            phi_3731_ = true;
+                                            phi_3732_ = f32();
+                                            phi_3733_ = true;
                                         }
-                                        let _e1897 = phi_3730_;
-                                        let _e1899 = phi_3731_;
-                                        phi_3732_ = _e1897;
-                                        phi_3733_ = _e1899;
+                                        let _e1900 = phi_3732_;
+                                        let _e1902 = phi_3733_;
+                                        phi_3734_ = _e1900;
+                                        phi_3735_ = _e1902;
                                     } else {
-                                        phi_3732_ = f32();
-                                        phi_3733_ = true;
+                                        phi_3734_ = f32();
+                                        phi_3735_ = true;
                                     }
-                                    let _e1901 = phi_3732_;
-                                    let _e1903 = phi_3733_;
-                                    if _e1903 {
-                                        let _e1904 = (_e1878 & 2147483648u);
-                                        let _e1911 = ((_e1878 & 8388607u) | (select(0u, 1u, ((_e1878 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1915 = (_e1911 == 0u);
-                                        if _e1915 {
-                                            phi_3922_ = bitcast<f32>(_e1904);
+                                    let _e1904 = phi_3734_;
+                                    let _e1906 = phi_3735_;
+                                    if _e1906 {
+                                        let _e1907 = (_e1881 & 2147483648u);
+                                        let _e1914 = ((_e1881 & 8388607u) | (select(0u, 1u, ((_e1881 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1918 = (_e1914 == 0u);
+                                        if _e1918 {
+                                            phi_3924_ = bitcast<f32>(_e1907);
                                         } else {
-                                            let _e1920 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1911)), 32u, _e1915) - 8u);
-                                            let _e1923 = (_e1911 << bitcast<u32>((_e1920 & 31u)));
-                                            let _e1925 = ((_e1883 + select(0i, 1i, (_e1882 == 0i))) - bitcast<i32>(_e1920));
-                                            if (_e1925 >= 255i) {
-                                                phi_3912_ = bitcast<f32>((_e1904 | 2139095040u));
-                                                phi_3913_ = f32();
-                                                phi_3914_ = true;
+                                            let _e1923 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1914)), 32u, _e1918) - 8u);
+                                            let _e1926 = (_e1914 << bitcast<u32>((_e1923 & 31u)));
+                                            let _e1928 = ((_e1886 + select(0i, 1i, (_e1885 == 0i))) - bitcast<i32>(_e1923));
+                                            if (_e1928 >= 255i) {
+                                                phi_3914_ = bitcast<f32>((_e1907 | 2139095040u));
+                                                phi_3915_ = f32();
+                                                phi_3916_ = true;
                                             } else {
-                                                let _e1927 = (_e1925 > 0i);
-                                                if _e1927 {
-                                                    phi_3906_ = bitcast<f32>(((_e1904 | (bitcast<u32>(_e1925) << bitcast<u32>(23i))) | (_e1923 & 8388607u)));
-                                                    phi_3907_ = f32();
+                                                let _e1930 = (_e1928 > 0i);
+                                                if _e1930 {
+                                                    phi_3908_ = bitcast<f32>(((_e1907 | (bitcast<u32>(_e1928) << bitcast<u32>(23i))) | (_e1926 & 8388607u)));
+                                                    phi_3909_ = f32();
                                                 } else {
-                                                    if (_e1925 < -24i) {
-                                                        phi_3872_ = 26u;
+                                                    if (_e1928 < -24i) {
+                                                        phi_3874_ = 26u;
                                                     } else {
-                                                        phi_3872_ = bitcast<u32>((1i - _e1925));
+                                                        phi_3874_ = bitcast<u32>((1i - _e1928));
                                                     }
-                                                    let _e1932 = phi_3872_;
-                                                    let _e1933 = (_e1932 & 31u);
-                                                    let _e1935 = (_e1923 >> bitcast<u32>(_e1933));
-                                                    let _e1939 = (_e1923 & ((1u << bitcast<u32>(_e1933)) - 1u));
-                                                    let _e1943 = (1u << bitcast<u32>(((_e1932 - 1u) & 31u)));
-                                                    if (_e1939 > _e1943) {
-                                                        phi_3893_ = true;
+                                                    let _e1935 = phi_3874_;
+                                                    let _e1936 = (_e1935 & 31u);
+                                                    let _e1938 = (_e1926 >> bitcast<u32>(_e1936));
+                                                    let _e1942 = (_e1926 & ((1u << bitcast<u32>(_e1936)) - 1u));
+                                                    let _e1946 = (1u << bitcast<u32>(((_e1935 - 1u) & 31u)));
+                                                    if (_e1942 > _e1946) {
+                                                        phi_3895_ = true;
                                                     } else {
-                                                        if (_e1939 == _e1943) {
-                                                            phi_3890_ = ((_e1935 & 1u) == 1u);
+                                                        if (_e1942 == _e1946) {
+                                                            phi_3892_ = ((_e1938 & 1u) == 1u);
                                                         } else {
-                                                            phi_3890_ = false;
+                                                            phi_3892_ = false;
                                                         }
-                                                        let _e1949 = phi_3890_;
-                                                        phi_3893_ = _e1949;
+                                                        let _e1952 = phi_3892_;
+                                                        phi_3895_ = _e1952;
                                                     }
-                                                    let _e1951 = phi_3893_;
-                                                    phi_3906_ = f32();
-                                                    phi_3907_ = bitcast<f32>((_e1904 | (_e1935 + select(0u, 1u, _e1951))));
+                                                    let _e1954 = phi_3895_;
+                                                    phi_3908_ = f32();
+                                                    phi_3909_ = bitcast<f32>((_e1907 | (_e1938 + select(0u, 1u, _e1954))));
                                                 }
-                                                let _e1964 = phi_3906_;
-                                                let _e1966 = phi_3907_;
-                                                phi_3912_ = _e1964;
-                                                phi_3913_ = _e1966;
-                                                phi_3914_ = _e1927;
+                                                let _e1967 = phi_3908_;
+                                                let _e1969 = phi_3909_;
+                                                phi_3914_ = _e1967;
+                                                phi_3915_ = _e1969;
+                                                phi_3916_ = _e1930;
                                             }
-                                            let _e1970 = phi_3912_;
-                                            let _e1972 = phi_3913_;
-                                            let _e1974 = phi_3914_;
-                                            phi_3922_ = select(_e1972, _e1970, _e1974);
+                                            let _e1973 = phi_3914_;
+                                            let _e1975 = phi_3915_;
+                                            let _e1977 = phi_3916_;
+                                            phi_3924_ = select(_e1975, _e1973, _e1977);
                                         }
-                                        let _e1978 = phi_3922_;
-                                        phi_3748_ = _e1978;
+                                        let _e1981 = phi_3924_;
+                                        phi_3750_ = _e1981;
                                     } else {
-                                        phi_3748_ = _e1901;
+                                        phi_3750_ = _e1904;
                                     }
-                                    let _e1980 = phi_3748_;
-                                    phi_3749_ = _e1980;
+                                    let _e1983 = phi_3750_;
+                                    phi_3751_ = _e1983;
                                 }
-                                let _e1982 = phi_3749_;
-                                let _e1983 = bitcast<u32>(_e1982);
-                                if ((_e1983 & 2147483647u) >= 2139095040u) {
-                                    phi_3761_ = bitcast<f32>(((_e1983 & 2147483648u) | 2139095039u));
+                                let _e1985 = phi_3751_;
+                                let _e1986 = bitcast<u32>(_e1985);
+                                if ((_e1986 & 2147483647u) >= 2139095040u) {
+                                    phi_3763_ = bitcast<f32>(((_e1986 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3761_ = _e1982;
+                                    phi_3763_ = _e1985;
                                 }
-                                let _e1990 = phi_3761_;
-                                phi_3766_ = type_18(_e1990, _e1871.member_1, _e1871.member_2, _e1871.member_3);
+                                let _e1993 = phi_3763_;
+                                phi_3768_ = type_18(_e1993, _e1874.member_1, _e1874.member_2, _e1874.member_3);
                             } else {
-                                phi_3766_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3768_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1993 = phi_3766_;
-                            if _e1869 {
+                            let _e1996 = phi_3768_;
+                            if _e1872 {
                             } else {
-                                phi_4260_ = true;
+                                phi_4357_ = true;
                                 break;
                             }
-                            local_7[_e1864.member_1] = type_18(_e1993.member, _e1993.member_1, _e1993.member_2, _e1993.member_3);
+                            local_7[_e1867.member_1] = type_18(_e1996.member, _e1996.member_1, _e1996.member_2, _e1996.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3652_ = _e1862;
-                            phi_4260_ = _e1847;
-                            break if !(_e1868);
+                            phi_3654_ = _e1865;
+                            phi_4357_ = _e1850;
+                            break if !(_e1871);
                         }
                     }
-                    let _e2001 = phi_4260_;
-                    if _e2001 {
+                    let _e2004 = phi_4357_;
+                    if _e2004 {
                         break;
                     }
-                    let _e2002 = local_7;
+                    let _e2005 = local_7;
                     if _e139 {
                     } else {
                         break;
                     }
-                    global_5.member[_e137] = array<type_18, 8>(type_18(_e2002[0].member, _e2002[0].member_1, _e2002[0].member_2, _e2002[0].member_3), type_18(_e2002[1].member, _e2002[1].member_1, _e2002[1].member_2, _e2002[1].member_3), type_18(_e2002[2].member, _e2002[2].member_1, _e2002[2].member_2, _e2002[2].member_3), type_18(_e2002[3].member, _e2002[3].member_1, _e2002[3].member_2, _e2002[3].member_3), type_18(_e2002[4].member, _e2002[4].member_1, _e2002[4].member_2, _e2002[4].member_3), type_18(_e2002[5].member, _e2002[5].member_1, _e2002[5].member_2, _e2002[5].member_3), type_18(_e2002[6].member, _e2002[6].member_1, _e2002[6].member_2, _e2002[6].member_3), type_18(_e2002[7].member, _e2002[7].member_1, _e2002[7].member_2, _e2002[7].member_3));
+                    global_5.member[_e137] = array<type_18, 8>(type_18(_e2005[0].member, _e2005[0].member_1, _e2005[0].member_2, _e2005[0].member_3), type_18(_e2005[1].member, _e2005[1].member_1, _e2005[1].member_2, _e2005[1].member_3), type_18(_e2005[2].member, _e2005[2].member_1, _e2005[2].member_2, _e2005[2].member_3), type_18(_e2005[3].member, _e2005[3].member_1, _e2005[3].member_2, _e2005[3].member_3), type_18(_e2005[4].member, _e2005[4].member_1, _e2005[4].member_2, _e2005[4].member_3), type_18(_e2005[5].member, _e2005[5].member_1, _e2005[5].member_2, _e2005[5].member_3), type_18(_e2005[6].member, _e2005[6].member_1, _e2005[6].member_2, _e2005[6].member_3), type_18(_e2005[7].member, _e2005[7].member_1, _e2005[7].member_2, _e2005[7].member_3));
                 }
             }
             break;

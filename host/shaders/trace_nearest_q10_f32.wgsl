@@ -123,141 +123,142 @@ fn function_() {
     var phi_1064_: u32;
     var phi_1072_: f32;
     var phi_1073_: f32;
-    var phi_4287_: bool;
-    var phi_4216_: f32;
-    var phi_1224_: bool;
+    var phi_4236_: bool;
+    var phi_4217_: f32;
+    var phi_1222_: u32;
+    var phi_1225_: bool;
     var phi_1227_: u32;
-    var phi_1229_: u32;
-    var phi_1231_: type_52;
-    var phi_1242_: bool;
-    var phi_1329_: bool;
-    var phi_1330_: u32;
-    var phi_1331_: type_52;
-    var phi_3221_: u32;
-    var phi_3222_: u32;
-    var phi_3232_: u32;
-    var phi_3234_: u32;
-    var phi_3235_: bool;
-    var phi_3255_: u32;
-    var phi_3256_: u32;
-    var phi_3260_: type_53;
-    var phi_3623_: type_52;
-    var phi_3700_: type_52;
-    var phi_3701_: u32;
-    var phi_3702_: type_52;
-    var phi_3704_: u32;
-    var phi_3705_: type_52;
-    var phi_3706_: bool;
-    var phi_3715_: type_52;
-    var phi_3720_: bool;
-    var phi_3722_: type_52;
-    var phi_4284_: bool;
-    var phi_4274_: f32;
-    var phi_1349_: type_4;
-    var phi_1350_: type_4;
-    var phi_1373_: type_4;
-    var phi_1394_: u32;
-    var phi_1486_: array<array<f32, 3>, 3>;
-    var phi_1639_: bool;
-    var phi_1668_: bool;
+    var phi_1229_: type_52;
+    var phi_1240_: bool;
+    var phi_1327_: bool;
+    var phi_1328_: u32;
+    var phi_1329_: type_52;
+    var phi_4233_: bool;
+    var phi_4222_: f32;
+    var phi_1347_: type_4;
+    var phi_1348_: type_4;
+    var phi_1371_: type_4;
+    var phi_1392_: u32;
+    var phi_1484_: array<array<f32, 3>, 3>;
+    var phi_1637_: bool;
+    var phi_1666_: bool;
+    var phi_2085_: f32;
+    var phi_2086_: f32;
     var phi_2087_: f32;
     var phi_2088_: f32;
-    var phi_2089_: f32;
-    var phi_2090_: f32;
+    var phi_2089_: vec3<f32>;
+    var phi_2090_: vec3<f32>;
     var phi_2091_: vec3<f32>;
     var phi_2092_: vec3<f32>;
-    var phi_2093_: vec3<f32>;
-    var phi_2094_: vec3<f32>;
-    var phi_2131_: bool;
-    var phi_2140_: vec3<f32>;
+    var phi_2129_: bool;
+    var phi_2138_: vec3<f32>;
+    var phi_2303_: f32;
     var phi_2305_: f32;
-    var phi_2307_: f32;
-    var phi_2308_: bool;
-    var phi_2328_: f32;
-    var phi_2329_: f32;
+    var phi_2306_: bool;
+    var phi_2326_: f32;
+    var phi_2327_: f32;
+    var phi_2350_: type_25;
     var phi_2352_: type_25;
-    var phi_2354_: type_25;
-    var phi_2355_: bool;
+    var phi_2353_: bool;
+    var phi_2357_: type_25;
+    var phi_2358_: type_25;
     var phi_2359_: type_25;
-    var phi_2360_: type_25;
-    var phi_2361_: type_25;
-    var phi_2362_: bool;
+    var phi_2360_: bool;
+    var phi_2364_: type_25;
+    var phi_2365_: bool;
     var phi_2366_: type_25;
     var phi_2367_: bool;
-    var phi_2368_: type_25;
-    var phi_2369_: bool;
+    var phi_2368_: bool;
+    var phi_2369_: type_25;
     var phi_2370_: bool;
-    var phi_2371_: type_25;
-    var phi_2372_: bool;
-    var phi_2373_: bool;
-    var phi_2381_: type_25;
-    var phi_2382_: bool;
-    var phi_2386_: type_25;
-    var phi_2398_: type_4;
-    var phi_2401_: type_25;
-    var phi_2399_: type_4;
-    var phi_2424_: type_4;
-    var phi_2456_: bool;
-    var phi_2457_: bool;
-    var phi_2478_: type_25;
-    var phi_2402_: type_25;
-    var phi_4275_: bool;
-    var phi_4679_: f32;
-    var phi_4678_: f32;
-    var phi_4438_: bool;
-    var phi_4677_: f32;
-    var phi_4437_: bool;
-    var phi_4676_: f32;
-    var phi_4436_: bool;
-    var phi_4588_: f32;
-    var phi_4435_: bool;
-    var phi_4553_: f32;
-    var phi_4444_: bool;
-    var phi_3726_: bool;
-    var phi_3727_: u32;
-    var phi_3728_: type_52;
-    var phi_4552_: f32;
-    var phi_4443_: bool;
-    var phi_3729_: bool;
-    var phi_3730_: u32;
+    var phi_2371_: bool;
+    var phi_2379_: type_25;
+    var phi_2380_: bool;
+    var phi_2384_: type_25;
+    var phi_2396_: type_4;
+    var phi_2399_: type_25;
+    var phi_2397_: type_4;
+    var phi_2422_: type_4;
+    var phi_2454_: bool;
+    var phi_2455_: bool;
+    var phi_2476_: type_25;
+    var phi_2400_: type_25;
+    var phi_4224_: bool;
+    var phi_4533_: f32;
+    var phi_4532_: f32;
+    var phi_4387_: bool;
+    var phi_4531_: f32;
+    var phi_4386_: bool;
+    var phi_4530_: f32;
+    var phi_4385_: bool;
+    var phi_4442_: f32;
+    var phi_4384_: bool;
+    var phi_4621_: bool;
+    var phi_4441_: f32;
+    var phi_3214_: u32;
+    var phi_3215_: u32;
+    var phi_3225_: u32;
+    var phi_3227_: u32;
+    var phi_3228_: bool;
+    var phi_3248_: u32;
+    var phi_3249_: u32;
+    var phi_3253_: type_53;
+    var phi_3616_: type_52;
+    var phi_3692_: type_52;
+    var phi_3693_: u32;
+    var phi_3694_: type_52;
+    var phi_3696_: u32;
+    var phi_3697_: type_52;
+    var phi_3698_: bool;
+    var phi_3707_: type_52;
+    var phi_3712_: bool;
+    var phi_3714_: type_52;
+    var phi_3718_: bool;
+    var phi_3719_: u32;
+    var phi_3720_: type_52;
+    var phi_3730_: type_52;
+    var phi_4649_: f32;
+    var phi_4538_: bool;
     var phi_3731_: u32;
-    var phi_3732_: type_52;
-    var phi_4551_: f32;
-    var phi_4442_: bool;
-    var phi_3733_: bool;
-    var phi_3734_: u32;
+    var phi_3732_: bool;
+    var phi_3733_: u32;
+    var phi_3734_: type_52;
+    var phi_4648_: f32;
+    var phi_4537_: bool;
     var phi_3735_: u32;
-    var phi_3736_: type_52;
-    var phi_4550_: f32;
-    var phi_4441_: bool;
-    var phi_1225_: bool;
+    var phi_3736_: bool;
+    var phi_3737_: u32;
+    var phi_3738_: type_52;
+    var phi_4647_: f32;
+    var phi_4536_: bool;
+    var phi_1223_: u32;
+    var phi_1226_: bool;
     var phi_1228_: u32;
-    var phi_1230_: u32;
-    var phi_1232_: type_52;
-    var phi_3737_: bool;
-    var phi_4440_: bool;
-    var phi_3744_: type_4;
-    var phi_3745_: type_4;
-    var phi_3768_: type_4;
-    var phi_3820_: f32;
+    var phi_1230_: type_52;
+    var phi_3739_: bool;
+    var phi_4535_: bool;
+    var phi_3746_: type_4;
+    var phi_3747_: type_4;
+    var phi_3770_: type_4;
     var phi_3822_: f32;
-    var phi_3823_: bool;
     var phi_3824_: f32;
     var phi_3825_: bool;
-    var phi_4112_: u32;
-    var phi_4130_: bool;
-    var phi_4133_: bool;
-    var phi_4146_: f32;
-    var phi_4147_: f32;
-    var phi_4152_: f32;
-    var phi_4153_: f32;
-    var phi_4154_: bool;
-    var phi_4162_: f32;
-    var phi_3840_: f32;
-    var phi_3841_: f32;
-    var phi_3853_: f32;
-    var phi_3858_: type_25;
-    var phi_4532_: bool;
+    var phi_3826_: f32;
+    var phi_3827_: bool;
+    var phi_4114_: u32;
+    var phi_4132_: bool;
+    var phi_4135_: bool;
+    var phi_4148_: f32;
+    var phi_4149_: f32;
+    var phi_4154_: f32;
+    var phi_4155_: f32;
+    var phi_4156_: bool;
+    var phi_4164_: f32;
+    var phi_3842_: f32;
+    var phi_3843_: f32;
+    var phi_3855_: f32;
+    var phi_3860_: type_25;
+    var phi_4629_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -622,1115 +623,1125 @@ fn function_() {
                         break;
                     }
                     let _e653 = local[_e637];
-                    phi_4287_ = false;
-                    phi_4216_ = _e620;
-                    phi_1224_ = (_e622 <= _e620);
-                    phi_1227_ = ((3u * _e97) + 1u);
-                    phi_1229_ = 0u;
-                    phi_1231_ = type_52(type_29(vec4<f32>((f32(_e628) * _e147), (f32(_e634) * _e147), (f32(_e640) * _e147), 0f), vec4<f32>((f32(_e645) * _e147), (f32(_e649) * _e147), (f32(_e653) * _e147), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
+                    phi_4236_ = false;
+                    phi_4217_ = _e620;
+                    phi_1222_ = ((3u * _e97) + 1u);
+                    phi_1225_ = (_e622 <= _e620);
+                    phi_1227_ = 0u;
+                    phi_1229_ = type_52(type_29(vec4<f32>((f32(_e628) * _e147), (f32(_e634) * _e147), (f32(_e640) * _e147), 0f), vec4<f32>((f32(_e645) * _e147), (f32(_e649) * _e147), (f32(_e653) * _e147), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
                     loop {
-                        let _e663 = phi_4287_;
-                        let _e665 = phi_4216_;
-                        let _e667 = phi_1224_;
-                        let _e669 = phi_1227_;
-                        let _e671 = phi_1229_;
-                        let _e673 = phi_1231_;
-                        if _e667 {
-                            phi_1242_ = true;
+                        let _e663 = phi_4236_;
+                        let _e665 = phi_4217_;
+                        let _e667 = phi_1222_;
+                        let _e669 = phi_1225_;
+                        let _e671 = phi_1227_;
+                        let _e673 = phi_1229_;
+                        if _e669 {
+                            phi_1240_ = true;
                         } else {
-                            phi_1242_ = (_e671 > 0u);
+                            phi_1240_ = (_e671 > 0u);
                         }
-                        let _e676 = phi_1242_;
+                        let _e676 = phi_1240_;
                         if _e676 {
-                            let _e677 = (_e669 > 0u);
+                            let _e677 = (_e667 > 0u);
                             if _e677 {
-                                if _e667 {
-                                    phi_1329_ = _e667;
-                                    phi_1330_ = _e671;
-                                    phi_1331_ = _e673;
+                                if _e669 {
+                                    phi_1327_ = _e669;
+                                    phi_1328_ = _e671;
+                                    phi_1329_ = _e673;
                                 } else {
                                     let _e678 = (_e671 - 1u);
                                     let _e679 = (_e678 % 128u);
                                     let _e680 = (_e679 < 128u);
                                     if _e680 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e682 = local_7[_e679];
                                     if _e680 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e684 = local_6[_e679];
                                     if _e680 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e686 = local_5[_e679];
                                     if _e680 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e688 = local_4[_e679];
                                     if _e680 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e690 = local_3[_e679];
                                     if _e680 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e692 = local_2[_e679];
                                     if _e680 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e697 = local_8[_e679];
                                     if _e680 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e700 = local_10[_e679];
-                                    phi_1329_ = (_e700 <= _e665);
-                                    phi_1330_ = _e678;
-                                    phi_1331_ = type_52(type_29(vec4<f32>(_e682, _e684, _e686, 0f), vec4<f32>(_e688, _e690, _e692, 0f)), _e697);
+                                    phi_1327_ = (_e700 <= _e665);
+                                    phi_1328_ = _e678;
+                                    phi_1329_ = type_52(type_29(vec4<f32>(_e682, _e684, _e686, 0f), vec4<f32>(_e688, _e690, _e692, 0f)), _e697);
                                 }
-                                let _e703 = phi_1329_;
-                                let _e705 = phi_1330_;
-                                let _e707 = phi_1331_;
+                                let _e703 = phi_1327_;
+                                let _e705 = phi_1328_;
+                                let _e707 = phi_1329_;
                                 if _e703 {
-                                    if ((_e707.member_1 & 2147483648u) != 0u) {
-                                        phi_4284_ = _e663;
-                                        phi_4274_ = _e665;
-                                        phi_1349_ = type_4(0u, ((_e707.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e711 = ((_e707.member_1 & 2147483648u) != 0u);
+                                    if _e711 {
+                                        phi_4233_ = _e663;
+                                        phi_4222_ = _e665;
+                                        phi_1347_ = type_4(0u, ((_e707.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1156 = phi_4284_;
-                                            let _e1158 = phi_4274_;
-                                            let _e1160 = phi_1349_;
-                                            if (_e1160.member < _e1160.member_1) {
-                                                phi_1350_ = type_4((_e1160.member + 1u), _e1160.member_1);
-                                                phi_1373_ = type_4(1u, _e1160.member);
+                                            let _e718 = phi_4233_;
+                                            let _e720 = phi_4222_;
+                                            let _e722 = phi_1347_;
+                                            if (_e722.member < _e722.member_1) {
+                                                phi_1348_ = type_4((_e722.member + 1u), _e722.member_1);
+                                                phi_1371_ = type_4(1u, _e722.member);
                                             } else {
-                                                phi_1350_ = _e1160;
-                                                phi_1373_ = type_4(0u, type_4().member_1);
+                                                phi_1348_ = _e722;
+                                                phi_1371_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1173 = phi_1350_;
-                                            let _e1175 = phi_1373_;
-                                            let _e1179 = (bitcast<i32>(_e1175.member) != 0i);
-                                            if _e1179 {
-                                                let _e1180 = ((_e707.member_1 & 268435455u) + _e1175.member_1);
-                                                let _e1181 = (_e1180 < _e99);
-                                                if _e1181 {
-                                                    if _e1181 {
+                                            let _e735 = phi_1348_;
+                                            let _e737 = phi_1371_;
+                                            let _e741 = (bitcast<i32>(_e737.member) != 0i);
+                                            if _e741 {
+                                                let _e742 = ((_e707.member_1 & 268435455u) + _e737.member_1);
+                                                let _e743 = (_e742 < _e99);
+                                                if _e743 {
+                                                    if _e743 {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1185 = global_2.member[_e1180].member_1;
-                                                    phi_1394_ = _e1185;
+                                                    let _e747 = global_2.member[_e742].member_1;
+                                                    phi_1392_ = _e747;
                                                 } else {
-                                                    phi_1394_ = 4294967295u;
+                                                    phi_1392_ = 4294967295u;
                                                 }
-                                                let _e1187 = phi_1394_;
-                                                if (_e1180 >= _e99) {
-                                                    phi_1486_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e749 = phi_1392_;
+                                                if (_e742 >= _e99) {
+                                                    phi_1484_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1181 {
+                                                    if _e743 {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
                                                     if (_e625 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1194 = global_2.member[_e1180].member[_e625];
+                                                    let _e756 = global_2.member[_e742].member[_e625];
                                                     if (_e631 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1200 = global_2.member[_e1180].member[_e631];
+                                                    let _e762 = global_2.member[_e742].member[_e631];
                                                     if (_e637 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1206 = global_2.member[_e1180].member[_e637];
-                                                    let _e1208 = (3u + _e625);
-                                                    if (_e1208 < 9u) {
+                                                    let _e768 = global_2.member[_e742].member[_e637];
+                                                    let _e770 = (3u + _e625);
+                                                    if (_e770 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1214 = global_2.member[_e1180].member[_e1208];
-                                                    let _e1215 = (3u + _e631);
-                                                    if (_e1215 < 9u) {
+                                                    let _e776 = global_2.member[_e742].member[_e770];
+                                                    let _e777 = (3u + _e631);
+                                                    if (_e777 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1221 = global_2.member[_e1180].member[_e1215];
-                                                    let _e1222 = (3u + _e637);
-                                                    if (_e1222 < 9u) {
+                                                    let _e783 = global_2.member[_e742].member[_e777];
+                                                    let _e784 = (3u + _e637);
+                                                    if (_e784 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1228 = global_2.member[_e1180].member[_e1222];
-                                                    let _e1230 = (6u + _e625);
-                                                    if (_e1230 < 9u) {
+                                                    let _e790 = global_2.member[_e742].member[_e784];
+                                                    let _e792 = (6u + _e625);
+                                                    if (_e792 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1236 = global_2.member[_e1180].member[_e1230];
-                                                    let _e1237 = (6u + _e631);
-                                                    if (_e1237 < 9u) {
+                                                    let _e798 = global_2.member[_e742].member[_e792];
+                                                    let _e799 = (6u + _e631);
+                                                    if (_e799 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1243 = global_2.member[_e1180].member[_e1237];
-                                                    let _e1244 = (6u + _e637);
-                                                    if (_e1244 < 9u) {
+                                                    let _e805 = global_2.member[_e742].member[_e799];
+                                                    let _e806 = (6u + _e637);
+                                                    if (_e806 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1250 = global_2.member[_e1180].member[_e1244];
-                                                    phi_1486_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1194, _e1200, _e1206), array<f32, 3>(_e1214, _e1221, _e1228), array<f32, 3>(_e1236, _e1243, _e1250));
+                                                    let _e812 = global_2.member[_e742].member[_e806];
+                                                    phi_1484_ = array<array<f32, 3>, 3>(array<f32, 3>(_e756, _e762, _e768), array<f32, 3>(_e776, _e783, _e790), array<f32, 3>(_e798, _e805, _e812));
                                                 }
-                                                let _e1254 = phi_1486_;
-                                                let _e1261 = (_e1254[0][2] - _e468);
-                                                let _e1264 = (((_e1254[0][0] - _e331) * _e507) - (_e1261 * _e371));
-                                                let _e1267 = (((_e1254[0][1] - _e400) * _e507) - (_e1261 * _e439));
-                                                let _e1274 = (_e1254[1][2] - _e468);
-                                                let _e1277 = (((_e1254[1][0] - _e331) * _e507) - (_e1274 * _e371));
-                                                let _e1280 = (((_e1254[1][1] - _e400) * _e507) - (_e1274 * _e439));
-                                                let _e1287 = (_e1254[2][2] - _e468);
-                                                let _e1290 = (((_e1254[2][0] - _e331) * _e507) - (_e1287 * _e371));
-                                                let _e1293 = (((_e1254[2][1] - _e400) * _e507) - (_e1287 * _e439));
-                                                let _e1294 = (_e1290 * _e1280);
-                                                let _e1295 = (_e1293 * _e1277);
-                                                let _e1296 = (_e1264 * _e1293);
-                                                let _e1297 = (_e1267 * _e1290);
-                                                let _e1298 = (_e1277 * _e1267);
-                                                let _e1299 = (_e1280 * _e1264);
-                                                let _e1304 = (((_e1294 >= _e1295) && (_e1296 >= _e1297)) && (_e1298 >= _e1299));
-                                                if (_e1304 || (((_e1294 <= _e1295) && (_e1296 <= _e1297)) && (_e1298 <= _e1299))) {
-                                                    let _e1311 = select(-1f, 1f, _e1304);
-                                                    let _e1313 = ((_e1294 - _e1295) * _e1311);
-                                                    let _e1315 = select(0f, _e1313, (_e1313 > 0f));
-                                                    let _e1317 = ((_e1296 - _e1297) * _e1311);
-                                                    let _e1319 = select(0f, _e1317, (_e1317 > 0f));
-                                                    let _e1321 = ((_e1298 - _e1299) * _e1311);
-                                                    let _e1323 = select(0f, _e1321, (_e1321 > 0f));
-                                                    let _e1325 = ((_e1315 + _e1319) + _e1323);
-                                                    if (_e1325 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2371_ = type_25();
-                                                        phi_2372_ = true;
-                                                        phi_2373_ = false;
+                                                let _e816 = phi_1484_;
+                                                let _e823 = (_e816[0][2] - _e468);
+                                                let _e826 = (((_e816[0][0] - _e331) * _e507) - (_e823 * _e371));
+                                                let _e829 = (((_e816[0][1] - _e400) * _e507) - (_e823 * _e439));
+                                                let _e836 = (_e816[1][2] - _e468);
+                                                let _e839 = (((_e816[1][0] - _e331) * _e507) - (_e836 * _e371));
+                                                let _e842 = (((_e816[1][1] - _e400) * _e507) - (_e836 * _e439));
+                                                let _e849 = (_e816[2][2] - _e468);
+                                                let _e852 = (((_e816[2][0] - _e331) * _e507) - (_e849 * _e371));
+                                                let _e855 = (((_e816[2][1] - _e400) * _e507) - (_e849 * _e439));
+                                                let _e856 = (_e852 * _e842);
+                                                let _e857 = (_e855 * _e839);
+                                                let _e858 = (_e826 * _e855);
+                                                let _e859 = (_e829 * _e852);
+                                                let _e860 = (_e839 * _e829);
+                                                let _e861 = (_e842 * _e826);
+                                                let _e866 = (((_e856 >= _e857) && (_e858 >= _e859)) && (_e860 >= _e861));
+                                                if (_e866 || (((_e856 <= _e857) && (_e858 <= _e859)) && (_e860 <= _e861))) {
+                                                    let _e873 = select(-1f, 1f, _e866);
+                                                    let _e875 = ((_e856 - _e857) * _e873);
+                                                    let _e877 = select(0f, _e875, (_e875 > 0f));
+                                                    let _e879 = ((_e858 - _e859) * _e873);
+                                                    let _e881 = select(0f, _e879, (_e879 > 0f));
+                                                    let _e883 = ((_e860 - _e861) * _e873);
+                                                    let _e885 = select(0f, _e883, (_e883 > 0f));
+                                                    let _e887 = ((_e877 + _e881) + _e885);
+                                                    if (_e887 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2369_ = type_25();
+                                                        phi_2370_ = true;
+                                                        phi_2371_ = false;
                                                     } else {
-                                                        let _e1328 = select(_e1277, _e1264, (_e1264 < _e1277));
-                                                        if (select(_e1290, _e1328, (_e1328 < _e1290)) > 0f) {
-                                                            phi_1639_ = true;
+                                                        let _e890 = select(_e839, _e826, (_e826 < _e839));
+                                                        if (select(_e852, _e890, (_e890 < _e852)) > 0f) {
+                                                            phi_1637_ = true;
                                                         } else {
-                                                            let _e1333 = select(_e1277, _e1264, (_e1264 > _e1277));
-                                                            phi_1639_ = (select(_e1290, _e1333, (_e1333 > _e1290)) < 0f);
+                                                            let _e895 = select(_e839, _e826, (_e826 > _e839));
+                                                            phi_1637_ = (select(_e852, _e895, (_e895 > _e852)) < 0f);
                                                         }
-                                                        let _e1338 = phi_1639_;
-                                                        if _e1338 {
-                                                            phi_2368_ = type_25();
-                                                            phi_2369_ = true;
-                                                            phi_2370_ = false;
+                                                        let _e900 = phi_1637_;
+                                                        if _e900 {
+                                                            phi_2366_ = type_25();
+                                                            phi_2367_ = true;
+                                                            phi_2368_ = false;
                                                         } else {
-                                                            let _e1340 = select(_e1280, _e1267, (_e1267 < _e1280));
-                                                            if (select(_e1293, _e1340, (_e1340 < _e1293)) > 0f) {
-                                                                phi_1668_ = true;
+                                                            let _e902 = select(_e842, _e829, (_e829 < _e842));
+                                                            if (select(_e855, _e902, (_e902 < _e855)) > 0f) {
+                                                                phi_1666_ = true;
                                                             } else {
-                                                                let _e1345 = select(_e1280, _e1267, (_e1267 > _e1280));
-                                                                phi_1668_ = (select(_e1293, _e1345, (_e1345 > _e1293)) < 0f);
+                                                                let _e907 = select(_e842, _e829, (_e829 > _e842));
+                                                                phi_1666_ = (select(_e855, _e907, (_e907 > _e855)) < 0f);
                                                             }
-                                                            let _e1350 = phi_1668_;
-                                                            if _e1350 {
-                                                                phi_2366_ = type_25();
-                                                                phi_2367_ = false;
+                                                            let _e912 = phi_1666_;
+                                                            if _e912 {
+                                                                phi_2364_ = type_25();
+                                                                phi_2365_ = false;
                                                             } else {
-                                                                let _e1352 = select(_e1254[1][0], _e1254[0][0], (_e1254[0][0] < _e1254[1][0]));
-                                                                let _e1356 = select(_e1254[1][0], _e1254[0][0], (_e1254[0][0] > _e1254[1][0]));
-                                                                let _e1360 = select(_e1254[1][1], _e1254[0][1], (_e1254[0][1] < _e1254[1][1]));
-                                                                let _e1364 = select(_e1254[1][1], _e1254[0][1], (_e1254[0][1] > _e1254[1][1]));
-                                                                let _e1368 = select(_e1254[1][2], _e1254[0][2], (_e1254[0][2] < _e1254[1][2]));
-                                                                let _e1372 = select(_e1254[1][2], _e1254[0][2], (_e1254[0][2] > _e1254[1][2]));
-                                                                let _e1377 = ((select(_e1254[2][0], _e1352, (_e1352 < _e1254[2][0])) - _e369) * _e374);
-                                                                let _e1378 = ((select(_e1254[2][0], _e1356, (_e1356 > _e1254[2][0])) - _e370) * _e374);
-                                                                let _e1381 = ((select(_e1254[2][1], _e1360, (_e1360 < _e1254[2][1])) - _e437) * _e442);
-                                                                let _e1382 = ((select(_e1254[2][1], _e1364, (_e1364 > _e1254[2][1])) - _e438) * _e442);
-                                                                let _e1385 = ((select(_e1254[2][2], _e1368, (_e1368 < _e1254[2][2])) - _e505) * _e510);
-                                                                let _e1386 = ((select(_e1254[2][2], _e1372, (_e1372 > _e1254[2][2])) - _e506) * _e510);
-                                                                let _e1388 = select(_e1386, _e1385, (_e1385 < _e1386));
-                                                                let _e1390 = select(_e1386, _e1385, (_e1385 > _e1386));
-                                                                let _e1392 = select(_e1378, _e1377, (_e1377 < _e1378));
-                                                                let _e1394 = select(_e1382, _e1381, (_e1381 < _e1382));
-                                                                let _e1396 = select(_e1394, _e1392, (_e1392 > _e1394));
-                                                                let _e1398 = select(_e1388, _e1396, (_e1396 > _e1388));
-                                                                let _e1400 = select(_e1378, _e1377, (_e1377 > _e1378));
-                                                                let _e1402 = select(_e1382, _e1381, (_e1381 > _e1382));
-                                                                let _e1404 = select(_e1402, _e1400, (_e1400 < _e1402));
-                                                                let _e1406 = select(_e1390, _e1404, (_e1404 < _e1390));
-                                                                let _e1407 = -(_e1388);
-                                                                let _e1413 = select(_e622, _e1398, (_e1398 > _e622));
-                                                                if (_e1413 > (_e1406 + (select(_e1407, _e1390, (_e1390 > _e1407)) * 0.0000019073523f))) {
-                                                                    phi_2361_ = type_25();
-                                                                    phi_2362_ = true;
+                                                                let _e914 = select(_e816[1][0], _e816[0][0], (_e816[0][0] < _e816[1][0]));
+                                                                let _e918 = select(_e816[1][0], _e816[0][0], (_e816[0][0] > _e816[1][0]));
+                                                                let _e922 = select(_e816[1][1], _e816[0][1], (_e816[0][1] < _e816[1][1]));
+                                                                let _e926 = select(_e816[1][1], _e816[0][1], (_e816[0][1] > _e816[1][1]));
+                                                                let _e930 = select(_e816[1][2], _e816[0][2], (_e816[0][2] < _e816[1][2]));
+                                                                let _e934 = select(_e816[1][2], _e816[0][2], (_e816[0][2] > _e816[1][2]));
+                                                                let _e939 = ((select(_e816[2][0], _e914, (_e914 < _e816[2][0])) - _e369) * _e374);
+                                                                let _e940 = ((select(_e816[2][0], _e918, (_e918 > _e816[2][0])) - _e370) * _e374);
+                                                                let _e943 = ((select(_e816[2][1], _e922, (_e922 < _e816[2][1])) - _e437) * _e442);
+                                                                let _e944 = ((select(_e816[2][1], _e926, (_e926 > _e816[2][1])) - _e438) * _e442);
+                                                                let _e947 = ((select(_e816[2][2], _e930, (_e930 < _e816[2][2])) - _e505) * _e510);
+                                                                let _e948 = ((select(_e816[2][2], _e934, (_e934 > _e816[2][2])) - _e506) * _e510);
+                                                                let _e950 = select(_e948, _e947, (_e947 < _e948));
+                                                                let _e952 = select(_e948, _e947, (_e947 > _e948));
+                                                                let _e954 = select(_e940, _e939, (_e939 < _e940));
+                                                                let _e956 = select(_e944, _e943, (_e943 < _e944));
+                                                                let _e958 = select(_e956, _e954, (_e954 > _e956));
+                                                                let _e960 = select(_e950, _e958, (_e958 > _e950));
+                                                                let _e962 = select(_e940, _e939, (_e939 > _e940));
+                                                                let _e964 = select(_e944, _e943, (_e943 > _e944));
+                                                                let _e966 = select(_e964, _e962, (_e962 < _e964));
+                                                                let _e968 = select(_e952, _e966, (_e966 < _e952));
+                                                                let _e969 = -(_e950);
+                                                                let _e975 = select(_e622, _e960, (_e960 > _e622));
+                                                                if (_e975 > (_e968 + (select(_e969, _e952, (_e952 > _e969)) * 0.0000019073523f))) {
+                                                                    phi_2359_ = type_25();
+                                                                    phi_2360_ = true;
                                                                 } else {
-                                                                    let _e1415 = (_e1413 > _e1158);
-                                                                    if _e1415 {
-                                                                        phi_2360_ = type_25();
+                                                                    let _e977 = (_e975 > _e720);
+                                                                    if _e977 {
+                                                                        phi_2358_ = type_25();
                                                                     } else {
-                                                                        let _e1416 = vec3<f32>(_e1254[0][0], _e1254[0][1], _e1254[0][2]);
-                                                                        let _e1417 = vec3<f32>(_e1254[1][0], _e1254[1][1], _e1254[1][2]);
-                                                                        let _e1418 = vec3<f32>(_e1254[2][0], _e1254[2][1], _e1254[2][2]);
-                                                                        let _e1419 = (_e1254[1][0] - _e1254[0][0]);
-                                                                        let _e1420 = (_e1254[1][1] - _e1254[0][1]);
-                                                                        let _e1421 = (_e1254[1][2] - _e1254[0][2]);
-                                                                        let _e1422 = vec3<f32>(_e1419, _e1420, _e1421);
-                                                                        let _e1423 = (_e1254[2][0] - _e1254[1][0]);
-                                                                        let _e1424 = (_e1254[2][1] - _e1254[1][1]);
-                                                                        let _e1425 = (_e1254[2][2] - _e1254[1][2]);
-                                                                        let _e1426 = vec3<f32>(_e1423, _e1424, _e1425);
-                                                                        let _e1427 = (_e1254[0][0] - _e1254[2][0]);
-                                                                        let _e1428 = (_e1254[0][1] - _e1254[2][1]);
-                                                                        let _e1429 = (_e1254[0][2] - _e1254[2][2]);
-                                                                        let _e1430 = vec3<f32>(_e1427, _e1428, _e1429);
-                                                                        let _e1433 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
-                                                                        let _e1436 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
-                                                                        let _e1438 = select(_e1436, _e1433, (_e1433 > _e1436));
-                                                                        let _e1441 = bitcast<f32>((bitcast<u32>(_e1421) & 2147483647u));
-                                                                        let _e1443 = select(_e1441, _e1438, (_e1438 > _e1441));
-                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
-                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
-                                                                        let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
-                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u));
-                                                                        let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
-                                                                        let _e1459 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
-                                                                        let _e1462 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
-                                                                        let _e1464 = select(_e1462, _e1459, (_e1459 > _e1462));
-                                                                        let _e1467 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
-                                                                        let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
-                                                                        let _e1471 = select(_e1456, _e1443, (_e1443 > _e1456));
-                                                                        let _e1473 = select(_e1469, _e1471, (_e1471 > _e1469));
-                                                                        if (_e1443 == _e1473) {
-                                                                            phi_2087_ = _e1280;
-                                                                            phi_2088_ = _e1277;
-                                                                            phi_2089_ = _e1267;
-                                                                            phi_2090_ = _e1264;
-                                                                            phi_2091_ = _e1416;
-                                                                            phi_2092_ = _e1430;
-                                                                            phi_2093_ = _e1426;
-                                                                            phi_2094_ = _e1422;
+                                                                        let _e978 = vec3<f32>(_e816[0][0], _e816[0][1], _e816[0][2]);
+                                                                        let _e979 = vec3<f32>(_e816[1][0], _e816[1][1], _e816[1][2]);
+                                                                        let _e980 = vec3<f32>(_e816[2][0], _e816[2][1], _e816[2][2]);
+                                                                        let _e981 = (_e816[1][0] - _e816[0][0]);
+                                                                        let _e982 = (_e816[1][1] - _e816[0][1]);
+                                                                        let _e983 = (_e816[1][2] - _e816[0][2]);
+                                                                        let _e984 = vec3<f32>(_e981, _e982, _e983);
+                                                                        let _e985 = (_e816[2][0] - _e816[1][0]);
+                                                                        let _e986 = (_e816[2][1] - _e816[1][1]);
+                                                                        let _e987 = (_e816[2][2] - _e816[1][2]);
+                                                                        let _e988 = vec3<f32>(_e985, _e986, _e987);
+                                                                        let _e989 = (_e816[0][0] - _e816[2][0]);
+                                                                        let _e990 = (_e816[0][1] - _e816[2][1]);
+                                                                        let _e991 = (_e816[0][2] - _e816[2][2]);
+                                                                        let _e992 = vec3<f32>(_e989, _e990, _e991);
+                                                                        let _e995 = bitcast<f32>((bitcast<u32>(_e981) & 2147483647u));
+                                                                        let _e998 = bitcast<f32>((bitcast<u32>(_e982) & 2147483647u));
+                                                                        let _e1000 = select(_e998, _e995, (_e995 > _e998));
+                                                                        let _e1003 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
+                                                                        let _e1005 = select(_e1003, _e1000, (_e1000 > _e1003));
+                                                                        let _e1008 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
+                                                                        let _e1011 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
+                                                                        let _e1013 = select(_e1011, _e1008, (_e1008 > _e1011));
+                                                                        let _e1016 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
+                                                                        let _e1018 = select(_e1016, _e1013, (_e1013 > _e1016));
+                                                                        let _e1021 = bitcast<f32>((bitcast<u32>(_e989) & 2147483647u));
+                                                                        let _e1024 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
+                                                                        let _e1026 = select(_e1024, _e1021, (_e1021 > _e1024));
+                                                                        let _e1029 = bitcast<f32>((bitcast<u32>(_e991) & 2147483647u));
+                                                                        let _e1031 = select(_e1029, _e1026, (_e1026 > _e1029));
+                                                                        let _e1033 = select(_e1018, _e1005, (_e1005 > _e1018));
+                                                                        let _e1035 = select(_e1031, _e1033, (_e1033 > _e1031));
+                                                                        if (_e1005 == _e1035) {
+                                                                            phi_2085_ = _e842;
+                                                                            phi_2086_ = _e839;
+                                                                            phi_2087_ = _e829;
+                                                                            phi_2088_ = _e826;
+                                                                            phi_2089_ = _e978;
+                                                                            phi_2090_ = _e992;
+                                                                            phi_2091_ = _e988;
+                                                                            phi_2092_ = _e984;
                                                                         } else {
-                                                                            let _e1475 = (_e1456 == _e1473);
-                                                                            let _e1480 = vec3(_e1475);
-                                                                            phi_2087_ = select(_e1267, _e1293, _e1475);
-                                                                            phi_2088_ = select(_e1264, _e1290, _e1475);
-                                                                            phi_2089_ = select(_e1293, _e1280, _e1475);
-                                                                            phi_2090_ = select(_e1290, _e1277, _e1475);
-                                                                            phi_2091_ = select(_e1418, _e1417, _e1480);
-                                                                            phi_2092_ = select(_e1426, _e1422, _e1480);
-                                                                            phi_2093_ = select(_e1422, _e1430, _e1480);
-                                                                            phi_2094_ = select(_e1430, _e1426, _e1480);
+                                                                            let _e1037 = (_e1018 == _e1035);
+                                                                            let _e1042 = vec3(_e1037);
+                                                                            phi_2085_ = select(_e829, _e855, _e1037);
+                                                                            phi_2086_ = select(_e826, _e852, _e1037);
+                                                                            phi_2087_ = select(_e855, _e842, _e1037);
+                                                                            phi_2088_ = select(_e852, _e839, _e1037);
+                                                                            phi_2089_ = select(_e980, _e979, _e1042);
+                                                                            phi_2090_ = select(_e988, _e984, _e1042);
+                                                                            phi_2091_ = select(_e984, _e992, _e1042);
+                                                                            phi_2092_ = select(_e992, _e988, _e1042);
                                                                         }
-                                                                        let _e1486 = phi_2087_;
-                                                                        let _e1488 = phi_2088_;
-                                                                        let _e1490 = phi_2089_;
-                                                                        let _e1492 = phi_2090_;
-                                                                        let _e1494 = phi_2091_;
-                                                                        let _e1496 = phi_2092_;
-                                                                        let _e1498 = phi_2093_;
-                                                                        let _e1500 = phi_2094_;
-                                                                        let _e1507 = ((_e1498.y * _e1496.z) - (_e1496.y * _e1498.z));
-                                                                        let _e1512 = ((_e1498.z * _e1496.x) - (_e1496.z * _e1498.x));
-                                                                        let _e1515 = ((_e1498.x * _e1496.y) - (_e1496.x * _e1498.y));
-                                                                        if (_e1315 >= _e1319) {
-                                                                            phi_2131_ = select(true, false, (_e1315 >= _e1323));
+                                                                        let _e1048 = phi_2085_;
+                                                                        let _e1050 = phi_2086_;
+                                                                        let _e1052 = phi_2087_;
+                                                                        let _e1054 = phi_2088_;
+                                                                        let _e1056 = phi_2089_;
+                                                                        let _e1058 = phi_2090_;
+                                                                        let _e1060 = phi_2091_;
+                                                                        let _e1062 = phi_2092_;
+                                                                        let _e1069 = ((_e1060.y * _e1058.z) - (_e1058.y * _e1060.z));
+                                                                        let _e1074 = ((_e1060.z * _e1058.x) - (_e1058.z * _e1060.x));
+                                                                        let _e1077 = ((_e1060.x * _e1058.y) - (_e1058.x * _e1060.y));
+                                                                        if (_e877 >= _e881) {
+                                                                            phi_2129_ = select(true, false, (_e877 >= _e885));
                                                                         } else {
-                                                                            phi_2131_ = true;
+                                                                            phi_2129_ = true;
                                                                         }
-                                                                        let _e1520 = phi_2131_;
-                                                                        if _e1520 {
-                                                                            phi_2140_ = select(_e1418, _e1417, vec3((_e1319 >= _e1323)));
+                                                                        let _e1082 = phi_2129_;
+                                                                        if _e1082 {
+                                                                            phi_2138_ = select(_e980, _e979, vec3((_e881 >= _e885)));
                                                                         } else {
-                                                                            phi_2140_ = _e1416;
+                                                                            phi_2138_ = _e978;
                                                                         }
-                                                                        let _e1525 = phi_2140_;
-                                                                        let _e1536 = (((_e1507 * (_e1525.x - _e331)) + (_e1512 * (_e1525.y - _e400))) + (_e1515 * (_e1525.z - _e468)));
-                                                                        let _e1541 = (((_e1507 * _e371) + (_e1512 * _e439)) + (_e1515 * _e507));
-                                                                        let _e1542 = (_e1488 - _e1492);
-                                                                        let _e1543 = (_e1486 - _e1490);
-                                                                        let _e1551 = (-(((_e1492 * _e1542) + (_e1490 * _e1543))) / ((_e1542 * _e1542) + (_e1543 * _e1543)));
-                                                                        let _e1553 = select(1f, _e1551, (_e1551 < 1f));
-                                                                        let _e1555 = select(0f, _e1553, (_e1553 > 0f));
-                                                                        let _e1568 = ((_e1494.x + (_e1500.x * _e1555)) - _e331);
-                                                                        let _e1569 = ((_e1494.y + (_e1500.y * _e1555)) - _e400);
-                                                                        let _e1570 = ((_e1494.z + (_e1500.z * _e1555)) - _e468);
-                                                                        let _e1571 = (_e1570 / _e507);
-                                                                        let _e1583 = bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u));
-                                                                        let _e1586 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
-                                                                        let _e1588 = select(_e1586, _e1583, (_e1583 > _e1586));
-                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1570) & 2147483647u));
-                                                                        let _e1593 = select(_e1591, _e1588, (_e1588 > _e1591));
-                                                                        let _e1599 = bitcast<f32>((bitcast<u32>(_e1507) & 2147483647u));
-                                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1512) & 2147483647u));
-                                                                        let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
-                                                                        let _e1607 = bitcast<f32>((bitcast<u32>(_e1515) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1507 * _e1568) + (_e1512 * _e1569)) + (_e1515 * _e1570)) - _e1536)) & 2147483647u)) <= ((0.0000009536743f * select(_e1473, _e1593, (_e1593 > _e1473))) * select(_e1607, _e1604, (_e1604 > _e1607)))) {
-                                                                            let _e1617 = bitcast<f32>((bitcast<u32>(_e1498.x) & 2147483647u));
-                                                                            let _e1620 = bitcast<f32>((bitcast<u32>(_e1498.y) & 2147483647u));
-                                                                            let _e1622 = select(_e1620, _e1617, (_e1617 > _e1620));
-                                                                            let _e1625 = bitcast<f32>((bitcast<u32>(_e1498.z) & 2147483647u));
-                                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1496.x) & 2147483647u));
-                                                                            let _e1634 = bitcast<f32>((bitcast<u32>(_e1496.y) & 2147483647u));
-                                                                            let _e1636 = select(_e1634, _e1631, (_e1631 > _e1634));
-                                                                            let _e1639 = bitcast<f32>((bitcast<u32>(_e1496.z) & 2147483647u));
-                                                                            let _e1643 = (bitcast<f32>((bitcast<u32>(_e1541) & 2147483647u)) > ((0.0000038146973f * select(_e1625, _e1622, (_e1622 > _e1625))) * select(_e1639, _e1636, (_e1636 > _e1639))));
-                                                                            if _e1643 {
-                                                                                phi_2305_ = (_e1536 / _e1541);
+                                                                        let _e1087 = phi_2138_;
+                                                                        let _e1098 = (((_e1069 * (_e1087.x - _e331)) + (_e1074 * (_e1087.y - _e400))) + (_e1077 * (_e1087.z - _e468)));
+                                                                        let _e1103 = (((_e1069 * _e371) + (_e1074 * _e439)) + (_e1077 * _e507));
+                                                                        let _e1104 = (_e1050 - _e1054);
+                                                                        let _e1105 = (_e1048 - _e1052);
+                                                                        let _e1113 = (-(((_e1054 * _e1104) + (_e1052 * _e1105))) / ((_e1104 * _e1104) + (_e1105 * _e1105)));
+                                                                        let _e1115 = select(1f, _e1113, (_e1113 < 1f));
+                                                                        let _e1117 = select(0f, _e1115, (_e1115 > 0f));
+                                                                        let _e1130 = ((_e1056.x + (_e1062.x * _e1117)) - _e331);
+                                                                        let _e1131 = ((_e1056.y + (_e1062.y * _e1117)) - _e400);
+                                                                        let _e1132 = ((_e1056.z + (_e1062.z * _e1117)) - _e468);
+                                                                        let _e1133 = (_e1132 / _e507);
+                                                                        let _e1145 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
+                                                                        let _e1148 = bitcast<f32>((bitcast<u32>(_e1131) & 2147483647u));
+                                                                        let _e1150 = select(_e1148, _e1145, (_e1145 > _e1148));
+                                                                        let _e1153 = bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u));
+                                                                        let _e1155 = select(_e1153, _e1150, (_e1150 > _e1153));
+                                                                        let _e1161 = bitcast<f32>((bitcast<u32>(_e1069) & 2147483647u));
+                                                                        let _e1164 = bitcast<f32>((bitcast<u32>(_e1074) & 2147483647u));
+                                                                        let _e1166 = select(_e1164, _e1161, (_e1161 > _e1164));
+                                                                        let _e1169 = bitcast<f32>((bitcast<u32>(_e1077) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1069 * _e1130) + (_e1074 * _e1131)) + (_e1077 * _e1132)) - _e1098)) & 2147483647u)) <= ((0.0000009536743f * select(_e1035, _e1155, (_e1155 > _e1035))) * select(_e1169, _e1166, (_e1166 > _e1169)))) {
+                                                                            let _e1179 = bitcast<f32>((bitcast<u32>(_e1060.x) & 2147483647u));
+                                                                            let _e1182 = bitcast<f32>((bitcast<u32>(_e1060.y) & 2147483647u));
+                                                                            let _e1184 = select(_e1182, _e1179, (_e1179 > _e1182));
+                                                                            let _e1187 = bitcast<f32>((bitcast<u32>(_e1060.z) & 2147483647u));
+                                                                            let _e1193 = bitcast<f32>((bitcast<u32>(_e1058.x) & 2147483647u));
+                                                                            let _e1196 = bitcast<f32>((bitcast<u32>(_e1058.y) & 2147483647u));
+                                                                            let _e1198 = select(_e1196, _e1193, (_e1193 > _e1196));
+                                                                            let _e1201 = bitcast<f32>((bitcast<u32>(_e1058.z) & 2147483647u));
+                                                                            let _e1205 = (bitcast<f32>((bitcast<u32>(_e1103) & 2147483647u)) > ((0.0000038146973f * select(_e1187, _e1184, (_e1184 > _e1187))) * select(_e1201, _e1198, (_e1198 > _e1201))));
+                                                                            if _e1205 {
+                                                                                phi_2303_ = (_e1098 / _e1103);
                                                                             } else {
-                                                                                phi_2305_ = f32();
+                                                                                phi_2303_ = f32();
                                                                             }
-                                                                            let _e1646 = phi_2305_;
-                                                                            phi_2307_ = _e1646;
-                                                                            phi_2308_ = select(true, false, _e1643);
+                                                                            let _e1208 = phi_2303_;
+                                                                            phi_2305_ = _e1208;
+                                                                            phi_2306_ = select(true, false, _e1205);
                                                                         } else {
-                                                                            phi_2307_ = f32();
-                                                                            phi_2308_ = true;
+                                                                            phi_2305_ = f32();
+                                                                            phi_2306_ = true;
                                                                         }
-                                                                        let _e1649 = phi_2307_;
-                                                                        let _e1651 = phi_2308_;
-                                                                        if _e1651 {
-                                                                            let _e1659 = (((_e1507 * (_e1568 - (_e371 * _e1571))) + (_e1512 * (_e1569 - (_e439 * _e1571)))) / _e1541);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1659) & 2147483647u)) <= _e1473) {
-                                                                                phi_2328_ = (_e1571 + _e1659);
+                                                                        let _e1211 = phi_2305_;
+                                                                        let _e1213 = phi_2306_;
+                                                                        if _e1213 {
+                                                                            let _e1221 = (((_e1069 * (_e1130 - (_e371 * _e1133))) + (_e1074 * (_e1131 - (_e439 * _e1133)))) / _e1103);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u)) <= _e1035) {
+                                                                                phi_2326_ = (_e1133 + _e1221);
                                                                             } else {
-                                                                                phi_2328_ = _e1571;
+                                                                                phi_2326_ = _e1133;
                                                                             }
-                                                                            let _e1666 = phi_2328_;
-                                                                            phi_2329_ = _e1666;
+                                                                            let _e1228 = phi_2326_;
+                                                                            phi_2327_ = _e1228;
                                                                         } else {
-                                                                            phi_2329_ = _e1649;
+                                                                            phi_2327_ = _e1211;
                                                                         }
-                                                                        let _e1668 = phi_2329_;
-                                                                        let _e1670 = select(_e1406, _e1668, (_e1668 < _e1406));
-                                                                        let _e1672 = select(_e1398, _e1670, (_e1670 > _e1398));
-                                                                        if (_e1672 >= _e622) {
-                                                                            let _e1674 = (_e1672 <= _e1158);
-                                                                            if _e1674 {
-                                                                                let _e1675 = (1f / _e1325);
-                                                                                phi_2352_ = type_25(_e1672, (_e1319 * _e1675), (_e1323 * _e1675), _e1187);
+                                                                        let _e1230 = phi_2327_;
+                                                                        let _e1232 = select(_e968, _e1230, (_e1230 < _e968));
+                                                                        let _e1234 = select(_e960, _e1232, (_e1232 > _e960));
+                                                                        if (_e1234 >= _e622) {
+                                                                            let _e1236 = (_e1234 <= _e720);
+                                                                            if _e1236 {
+                                                                                let _e1237 = (1f / _e887);
+                                                                                phi_2350_ = type_25(_e1234, (_e881 * _e1237), (_e885 * _e1237), _e749);
                                                                             } else {
-                                                                                phi_2352_ = type_25();
+                                                                                phi_2350_ = type_25();
                                                                             }
-                                                                            let _e1680 = phi_2352_;
-                                                                            phi_2354_ = _e1680;
-                                                                            phi_2355_ = select(true, false, _e1674);
+                                                                            let _e1242 = phi_2350_;
+                                                                            phi_2352_ = _e1242;
+                                                                            phi_2353_ = select(true, false, _e1236);
                                                                         } else {
-                                                                            phi_2354_ = type_25();
-                                                                            phi_2355_ = true;
+                                                                            phi_2352_ = type_25();
+                                                                            phi_2353_ = true;
                                                                         }
-                                                                        let _e1683 = phi_2354_;
-                                                                        let _e1685 = phi_2355_;
-                                                                        if _e1685 {
-                                                                            phi_2359_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1245 = phi_2352_;
+                                                                        let _e1247 = phi_2353_;
+                                                                        if _e1247 {
+                                                                            phi_2357_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2359_ = _e1683;
+                                                                            phi_2357_ = _e1245;
                                                                         }
-                                                                        let _e1687 = phi_2359_;
-                                                                        phi_2360_ = _e1687;
+                                                                        let _e1249 = phi_2357_;
+                                                                        phi_2358_ = _e1249;
                                                                     }
-                                                                    let _e1689 = phi_2360_;
-                                                                    phi_2361_ = _e1689;
-                                                                    phi_2362_ = _e1415;
+                                                                    let _e1251 = phi_2358_;
+                                                                    phi_2359_ = _e1251;
+                                                                    phi_2360_ = _e977;
                                                                 }
-                                                                let _e1691 = phi_2361_;
-                                                                let _e1693 = phi_2362_;
-                                                                phi_2366_ = _e1691;
-                                                                phi_2367_ = _e1693;
+                                                                let _e1253 = phi_2359_;
+                                                                let _e1255 = phi_2360_;
+                                                                phi_2364_ = _e1253;
+                                                                phi_2365_ = _e1255;
                                                             }
-                                                            let _e1695 = phi_2366_;
-                                                            let _e1697 = phi_2367_;
-                                                            phi_2368_ = _e1695;
-                                                            phi_2369_ = _e1350;
-                                                            phi_2370_ = _e1697;
+                                                            let _e1257 = phi_2364_;
+                                                            let _e1259 = phi_2365_;
+                                                            phi_2366_ = _e1257;
+                                                            phi_2367_ = _e912;
+                                                            phi_2368_ = _e1259;
                                                         }
-                                                        let _e1699 = phi_2368_;
-                                                        let _e1701 = phi_2369_;
-                                                        let _e1703 = phi_2370_;
-                                                        phi_2371_ = _e1699;
-                                                        phi_2372_ = _e1701;
-                                                        phi_2373_ = _e1703;
+                                                        let _e1261 = phi_2366_;
+                                                        let _e1263 = phi_2367_;
+                                                        let _e1265 = phi_2368_;
+                                                        phi_2369_ = _e1261;
+                                                        phi_2370_ = _e1263;
+                                                        phi_2371_ = _e1265;
                                                     }
-                                                    let _e1705 = phi_2371_;
-                                                    let _e1707 = phi_2372_;
-                                                    let _e1709 = phi_2373_;
-                                                    phi_2381_ = _e1705;
-                                                    phi_2382_ = select(_e1709, true, _e1707);
+                                                    let _e1267 = phi_2369_;
+                                                    let _e1269 = phi_2370_;
+                                                    let _e1271 = phi_2371_;
+                                                    phi_2379_ = _e1267;
+                                                    phi_2380_ = select(_e1271, true, _e1269);
                                                 } else {
-                                                    phi_2381_ = type_25();
-                                                    phi_2382_ = true;
+                                                    phi_2379_ = type_25();
+                                                    phi_2380_ = true;
                                                 }
-                                                let _e1712 = phi_2381_;
-                                                let _e1714 = phi_2382_;
-                                                if _e1714 {
-                                                    phi_2386_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1274 = phi_2379_;
+                                                let _e1276 = phi_2380_;
+                                                if _e1276 {
+                                                    phi_2384_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2386_ = _e1712;
+                                                    phi_2384_ = _e1274;
                                                 }
-                                                let _e1716 = phi_2386_;
-                                                if (_e1716.member_3 != 4294967295u) {
-                                                    if (_e1187 != 4294967295u) {
-                                                        phi_2398_ = type_4(0u, 8u);
-                                                        phi_2401_ = _e1716;
+                                                let _e1278 = phi_2384_;
+                                                if (_e1278.member_3 != 4294967295u) {
+                                                    if (_e749 != 4294967295u) {
+                                                        phi_2396_ = type_4(0u, 8u);
+                                                        phi_2399_ = _e1278;
                                                         loop {
-                                                            let _e1721 = phi_2398_;
-                                                            let _e1723 = phi_2401_;
-                                                            if (_e1721.member < _e1721.member_1) {
-                                                                phi_2399_ = type_4((_e1721.member + 1u), _e1721.member_1);
-                                                                phi_2424_ = type_4(1u, _e1721.member);
+                                                            let _e1283 = phi_2396_;
+                                                            let _e1285 = phi_2399_;
+                                                            if (_e1283.member < _e1283.member_1) {
+                                                                phi_2397_ = type_4((_e1283.member + 1u), _e1283.member_1);
+                                                                phi_2422_ = type_4(1u, _e1283.member);
                                                             } else {
-                                                                phi_2399_ = _e1721;
-                                                                phi_2424_ = type_4(0u, type_4().member_1);
+                                                                phi_2397_ = _e1283;
+                                                                phi_2422_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1736 = phi_2399_;
-                                                            let _e1738 = phi_2424_;
-                                                            let _e1742 = (bitcast<i32>(_e1738.member) != 0i);
-                                                            if _e1742 {
-                                                                let _e1743 = (_e1738.member_1 < 8u);
-                                                                if _e1743 {
+                                                            let _e1298 = phi_2397_;
+                                                            let _e1300 = phi_2422_;
+                                                            let _e1304 = (bitcast<i32>(_e1300.member) != 0i);
+                                                            if _e1304 {
+                                                                let _e1305 = (_e1300.member_1 < 8u);
+                                                                if _e1305 {
                                                                 } else {
-                                                                    phi_4275_ = true;
+                                                                    phi_4224_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1748 = local_9[_e1738.member_1].member;
-                                                                if (_e1723.member < _e1748) {
-                                                                    phi_2457_ = true;
+                                                                let _e1310 = local_9[_e1300.member_1].member;
+                                                                if (_e1285.member < _e1310) {
+                                                                    phi_2455_ = true;
                                                                 } else {
-                                                                    let _e1750 = local_9[_e1738.member_1].member;
-                                                                    if (_e1723.member == _e1750) {
-                                                                        let _e1755 = local_9[_e1738.member_1].member_3;
-                                                                        phi_2456_ = (_e1723.member_3 < _e1755);
+                                                                    let _e1312 = local_9[_e1300.member_1].member;
+                                                                    if (_e1285.member == _e1312) {
+                                                                        let _e1317 = local_9[_e1300.member_1].member_3;
+                                                                        phi_2454_ = (_e1285.member_3 < _e1317);
                                                                     } else {
-                                                                        phi_2456_ = false;
+                                                                        phi_2454_ = false;
                                                                     }
-                                                                    let _e1758 = phi_2456_;
-                                                                    phi_2457_ = _e1758;
+                                                                    let _e1320 = phi_2454_;
+                                                                    phi_2455_ = _e1320;
                                                                 }
-                                                                let _e1760 = phi_2457_;
-                                                                if _e1760 {
-                                                                    if _e1743 {
+                                                                let _e1322 = phi_2455_;
+                                                                if _e1322 {
+                                                                    if _e1305 {
                                                                     } else {
-                                                                        phi_4275_ = true;
+                                                                        phi_4224_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1761 = local_9[_e1738.member_1];
-                                                                    local_9[_e1738.member_1] = type_25(_e1723.member, _e1723.member_1, _e1723.member_2, _e1723.member_3);
-                                                                    phi_2478_ = type_25(_e1761.member, _e1761.member_1, _e1761.member_2, _e1761.member_3);
+                                                                    let _e1323 = local_9[_e1300.member_1];
+                                                                    local_9[_e1300.member_1] = type_25(_e1285.member, _e1285.member_1, _e1285.member_2, _e1285.member_3);
+                                                                    phi_2476_ = type_25(_e1323.member, _e1323.member_1, _e1323.member_2, _e1323.member_3);
                                                                 } else {
-                                                                    phi_2478_ = _e1723;
+                                                                    phi_2476_ = _e1285;
                                                                 }
-                                                                let _e1772 = phi_2478_;
-                                                                phi_2402_ = _e1772;
+                                                                let _e1334 = phi_2476_;
+                                                                phi_2400_ = _e1334;
                                                             } else {
-                                                                phi_2402_ = type_25();
+                                                                phi_2400_ = type_25();
                                                             }
-                                                            let _e1774 = phi_2402_;
+                                                            let _e1336 = phi_2400_;
                                                             continue;
                                                             continuing {
-                                                                phi_2398_ = _e1736;
-                                                                phi_2401_ = _e1774;
-                                                                phi_4275_ = _e1156;
-                                                                break if !(_e1742);
+                                                                phi_2396_ = _e1298;
+                                                                phi_2399_ = _e1336;
+                                                                phi_4224_ = _e718;
+                                                                break if !(_e1304);
                                                             }
                                                         }
-                                                        let _e1777 = phi_4275_;
-                                                        phi_4588_ = _e1158;
-                                                        phi_4435_ = _e1777;
-                                                        if _e1777 {
+                                                        let _e1339 = phi_4224_;
+                                                        phi_4442_ = _e720;
+                                                        phi_4384_ = _e1339;
+                                                        if _e1339 {
                                                             break;
                                                         }
-                                                        let _e1780 = local_9[7u].member_3;
-                                                        if (_e1780 != 4294967295u) {
-                                                            let _e1784 = local_9[7u].member;
-                                                            phi_4679_ = _e1784;
+                                                        let _e1342 = local_9[7u].member_3;
+                                                        if (_e1342 != 4294967295u) {
+                                                            let _e1346 = local_9[7u].member;
+                                                            phi_4533_ = _e1346;
                                                         } else {
-                                                            phi_4679_ = _e1158;
+                                                            phi_4533_ = _e720;
                                                         }
-                                                        let _e1786 = phi_4679_;
-                                                        phi_4678_ = _e1786;
-                                                        phi_4438_ = _e1777;
+                                                        let _e1348 = phi_4533_;
+                                                        phi_4532_ = _e1348;
+                                                        phi_4387_ = _e1339;
                                                     } else {
-                                                        phi_4678_ = _e1158;
-                                                        phi_4438_ = _e1156;
+                                                        phi_4532_ = _e720;
+                                                        phi_4387_ = _e718;
                                                     }
-                                                    let _e1788 = phi_4678_;
-                                                    let _e1790 = phi_4438_;
-                                                    phi_4677_ = _e1788;
-                                                    phi_4437_ = _e1790;
+                                                    let _e1350 = phi_4532_;
+                                                    let _e1352 = phi_4387_;
+                                                    phi_4531_ = _e1350;
+                                                    phi_4386_ = _e1352;
                                                 } else {
-                                                    phi_4677_ = _e1158;
-                                                    phi_4437_ = _e1156;
+                                                    phi_4531_ = _e720;
+                                                    phi_4386_ = _e718;
                                                 }
-                                                let _e1792 = phi_4677_;
-                                                let _e1794 = phi_4437_;
-                                                phi_4676_ = _e1792;
-                                                phi_4436_ = _e1794;
+                                                let _e1354 = phi_4531_;
+                                                let _e1356 = phi_4386_;
+                                                phi_4530_ = _e1354;
+                                                phi_4385_ = _e1356;
                                             } else {
-                                                phi_4676_ = _e1158;
-                                                phi_4436_ = _e1156;
+                                                phi_4530_ = _e720;
+                                                phi_4385_ = _e718;
                                             }
-                                            let _e1796 = phi_4676_;
-                                            let _e1798 = phi_4436_;
+                                            let _e1358 = phi_4530_;
+                                            let _e1360 = phi_4385_;
                                             continue;
                                             continuing {
-                                                phi_4284_ = _e1798;
-                                                phi_4274_ = _e1796;
-                                                phi_1349_ = _e1173;
-                                                phi_4588_ = _e1796;
-                                                phi_4435_ = _e1798;
-                                                break if !(_e1179);
+                                                phi_4233_ = _e1360;
+                                                phi_4222_ = _e1358;
+                                                phi_1347_ = _e735;
+                                                phi_4442_ = _e1358;
+                                                phi_4384_ = _e1360;
+                                                break if !(_e741);
                                             }
                                         }
-                                        let _e1801 = phi_4588_;
-                                        let _e1803 = phi_4435_;
-                                        phi_4440_ = _e1803;
-                                        if _e1803 {
+                                        let _e1363 = phi_4442_;
+                                        let _e1365 = phi_4384_;
+                                        phi_4535_ = _e1365;
+                                        if _e1365 {
                                             break;
                                         }
-                                        phi_4553_ = _e1801;
-                                        phi_4444_ = _e1803;
-                                        phi_3726_ = false;
-                                        phi_3727_ = _e705;
-                                        phi_3728_ = _e707;
+                                        phi_4621_ = _e1365;
+                                        phi_4441_ = _e1363;
+                                    } else {
+                                        phi_4621_ = _e663;
+                                        phi_4441_ = _e665;
+                                    }
+                                    let _e1367 = phi_4621_;
+                                    let _e1369 = phi_4441_;
+                                    if _e711 {
+                                        phi_3718_ = bool();
+                                        phi_3719_ = u32();
+                                        phi_3720_ = type_52();
                                     } else {
                                         if (_e707.member_1 >= _e97) {
-                                            phi_3260_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3253_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e707.member_1 < _e97) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e719 = ((1u + _e267) % 4u);
-                                            if (_e719 < 4u) {
+                                            let _e1373 = ((1u + _e267) % 4u);
+                                            if (_e1373 < 4u) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e724 = global_4.member[_e707.member_1][_e719];
-                                            let _e726 = (_e724 >> bitcast<u32>(11u));
-                                            let _e728 = ((1u + _e266) % 4u);
-                                            if (_e728 < 4u) {
+                                            let _e1378 = global_4.member[_e707.member_1][_e1373];
+                                            let _e1380 = (_e1378 >> bitcast<u32>(11u));
+                                            let _e1382 = ((1u + _e266) % 4u);
+                                            if (_e1382 < 4u) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e733 = global_4.member[_e707.member_1][_e728];
-                                            let _e735 = (_e733 >> bitcast<u32>(11u));
-                                            let _e737 = ((1u + _e268) % 4u);
-                                            if (_e737 < 4u) {
+                                            let _e1387 = global_4.member[_e707.member_1][_e1382];
+                                            let _e1389 = (_e1387 >> bitcast<u32>(11u));
+                                            let _e1391 = ((1u + _e268) % 4u);
+                                            if (_e1391 < 4u) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e742 = global_4.member[_e707.member_1][_e737];
-                                            let _e744 = (_e742 >> bitcast<u32>(11u));
-                                            let _e767 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.x - _e707.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e768 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.y - _e707.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e769 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.z - _e707.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e771 = select(_e147, _e767, (_e767 > _e147));
-                                            let _e773 = select(_e147, _e768, (_e768 > _e147));
-                                            let _e775 = select(_e147, _e769, (_e769 > _e147));
-                                            let _e806 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e724 & 1023u))) - 8388608f) * _e771));
-                                            let _e811 = (bitcast<i32>((_e724 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e814 = bitcast<f32>((_e806 & bitcast<u32>(_e811)));
-                                            let _e815 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 1023u))) - 8388608f) * _e773));
-                                            let _e820 = (bitcast<i32>((_e733 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e823 = bitcast<f32>((_e815 & bitcast<u32>(_e820)));
-                                            let _e824 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e742 & 1023u))) - 8388608f) * _e775));
-                                            let _e829 = (bitcast<i32>((_e742 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e832 = bitcast<f32>((_e824 & bitcast<u32>(_e829)));
-                                            let _e836 = bitcast<f32>((_e806 & bitcast<u32>(~(_e811))));
-                                            let _e840 = bitcast<f32>((_e815 & bitcast<u32>(~(_e820))));
-                                            let _e844 = bitcast<f32>((_e824 & bitcast<u32>(~(_e829))));
-                                            let _e845 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e726 & 1023u))) - 8388608f) * _e771));
-                                            let _e850 = (bitcast<i32>((_e726 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e853 = bitcast<f32>((_e845 & bitcast<u32>(_e850)));
-                                            let _e854 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e735 & 1023u))) - 8388608f) * _e773));
-                                            let _e859 = (bitcast<i32>((_e735 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e862 = bitcast<f32>((_e854 & bitcast<u32>(_e859)));
-                                            let _e863 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e744 & 1023u))) - 8388608f) * _e775));
-                                            let _e868 = (bitcast<i32>((_e744 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e871 = bitcast<f32>((_e863 & bitcast<u32>(_e868)));
-                                            let _e875 = bitcast<f32>((_e845 & bitcast<u32>(~(_e850))));
-                                            let _e879 = bitcast<f32>((_e854 & bitcast<u32>(~(_e859))));
-                                            let _e883 = bitcast<f32>((_e863 & bitcast<u32>(~(_e868))));
-                                            let _e913 = global_4.member[_e707.member_1][0u];
-                                            let _e917 = global_4.member[_e707.member_1][1u];
-                                            let _e921 = global_4.member[_e707.member_1][2u];
-                                            let _e925 = global_4.member[_e707.member_1][3u];
-                                            let _e937 = (((_e917 >> bitcast<u32>(22i)) | ((_e921 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e925 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e938 = (_e913 & 268435455u);
-                                            let _e939 = (_e937 & 268435455u);
-                                            let _e942 = ((_e913 >> bitcast<u32>(28u)) & 7u);
-                                            let _e950 = ((_e913 >> bitcast<u32>(31i)) | (((_e937 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e951 = (_e942 != 0u);
-                                            if (_e942 == 0u) {
-                                                phi_3222_ = _e938;
+                                            let _e1396 = global_4.member[_e707.member_1][_e1391];
+                                            let _e1398 = (_e1396 >> bitcast<u32>(11u));
+                                            let _e1421 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.x - _e707.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1422 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.y - _e707.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1423 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.z - _e707.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1425 = select(_e147, _e1421, (_e1421 > _e147));
+                                            let _e1427 = select(_e147, _e1422, (_e1422 > _e147));
+                                            let _e1429 = select(_e147, _e1423, (_e1423 > _e147));
+                                            let _e1460 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1378 & 1023u))) - 8388608f) * _e1425));
+                                            let _e1465 = (bitcast<i32>((_e1378 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1468 = bitcast<f32>((_e1460 & bitcast<u32>(_e1465)));
+                                            let _e1469 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1387 & 1023u))) - 8388608f) * _e1427));
+                                            let _e1474 = (bitcast<i32>((_e1387 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1477 = bitcast<f32>((_e1469 & bitcast<u32>(_e1474)));
+                                            let _e1478 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1396 & 1023u))) - 8388608f) * _e1429));
+                                            let _e1483 = (bitcast<i32>((_e1396 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1486 = bitcast<f32>((_e1478 & bitcast<u32>(_e1483)));
+                                            let _e1490 = bitcast<f32>((_e1460 & bitcast<u32>(~(_e1465))));
+                                            let _e1494 = bitcast<f32>((_e1469 & bitcast<u32>(~(_e1474))));
+                                            let _e1498 = bitcast<f32>((_e1478 & bitcast<u32>(~(_e1483))));
+                                            let _e1499 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1380 & 1023u))) - 8388608f) * _e1425));
+                                            let _e1504 = (bitcast<i32>((_e1380 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1507 = bitcast<f32>((_e1499 & bitcast<u32>(_e1504)));
+                                            let _e1508 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1389 & 1023u))) - 8388608f) * _e1427));
+                                            let _e1513 = (bitcast<i32>((_e1389 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1516 = bitcast<f32>((_e1508 & bitcast<u32>(_e1513)));
+                                            let _e1517 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1398 & 1023u))) - 8388608f) * _e1429));
+                                            let _e1522 = (bitcast<i32>((_e1398 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1525 = bitcast<f32>((_e1517 & bitcast<u32>(_e1522)));
+                                            let _e1529 = bitcast<f32>((_e1499 & bitcast<u32>(~(_e1504))));
+                                            let _e1533 = bitcast<f32>((_e1508 & bitcast<u32>(~(_e1513))));
+                                            let _e1537 = bitcast<f32>((_e1517 & bitcast<u32>(~(_e1522))));
+                                            let _e1567 = global_4.member[_e707.member_1][0u];
+                                            let _e1571 = global_4.member[_e707.member_1][1u];
+                                            let _e1575 = global_4.member[_e707.member_1][2u];
+                                            let _e1579 = global_4.member[_e707.member_1][3u];
+                                            let _e1591 = (((_e1571 >> bitcast<u32>(22i)) | ((_e1575 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1579 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1592 = (_e1567 & 268435455u);
+                                            let _e1593 = (_e1591 & 268435455u);
+                                            let _e1596 = ((_e1567 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1604 = ((_e1567 >> bitcast<u32>(31i)) | (((_e1591 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1605 = (_e1596 != 0u);
+                                            if (_e1596 == 0u) {
+                                                phi_3215_ = _e1592;
                                             } else {
-                                                if (_e942 == 7u) {
-                                                    phi_3221_ = 2147483648u;
+                                                if (_e1596 == 7u) {
+                                                    phi_3214_ = 2147483648u;
                                                 } else {
-                                                    phi_3221_ = ((2147483648u | (_e942 << bitcast<u32>(28u))) | (_e939 & 268435455u));
+                                                    phi_3214_ = ((2147483648u | (_e1596 << bitcast<u32>(28u))) | (_e1593 & 268435455u));
                                                 }
-                                                let _e960 = phi_3221_;
-                                                phi_3222_ = _e960;
+                                                let _e1614 = phi_3214_;
+                                                phi_3215_ = _e1614;
                                             }
-                                            let _e962 = phi_3222_;
-                                            if _e951 {
-                                                let _e963 = (_e942 != 7u);
-                                                if _e963 {
-                                                    phi_3232_ = (_e939 + _e942);
+                                            let _e1616 = phi_3215_;
+                                            if _e1605 {
+                                                let _e1617 = (_e1596 != 7u);
+                                                if _e1617 {
+                                                    phi_3225_ = (_e1593 + _e1596);
                                                 } else {
-                                                    phi_3232_ = u32();
+                                                    phi_3225_ = u32();
                                                 }
-                                                let _e966 = phi_3232_;
-                                                phi_3234_ = _e966;
-                                                phi_3235_ = select(true, false, _e963);
+                                                let _e1620 = phi_3225_;
+                                                phi_3227_ = _e1620;
+                                                phi_3228_ = select(true, false, _e1617);
                                             } else {
-                                                phi_3234_ = u32();
-                                                phi_3235_ = true;
+                                                phi_3227_ = u32();
+                                                phi_3228_ = true;
                                             }
-                                            let _e969 = phi_3234_;
-                                            let _e971 = phi_3235_;
-                                            if (_e950 == 0u) {
-                                                phi_3256_ = (_e938 + select(0u, 1u, !(_e951)));
+                                            let _e1623 = phi_3227_;
+                                            let _e1625 = phi_3228_;
+                                            if (_e1604 == 0u) {
+                                                phi_3249_ = (_e1592 + select(0u, 1u, !(_e1605)));
                                             } else {
-                                                if (_e950 == 7u) {
-                                                    phi_3255_ = 2147483648u;
+                                                if (_e1604 == 7u) {
+                                                    phi_3248_ = 2147483648u;
                                                 } else {
-                                                    phi_3255_ = ((2147483648u | (_e950 << bitcast<u32>(28u))) | (select(_e969, _e939, _e971) & 268435455u));
+                                                    phi_3248_ = ((2147483648u | (_e1604 << bitcast<u32>(28u))) | (select(_e1623, _e1593, _e1625) & 268435455u));
                                                 }
-                                                let _e984 = phi_3255_;
-                                                phi_3256_ = _e984;
+                                                let _e1638 = phi_3248_;
+                                                phi_3249_ = _e1638;
                                             }
-                                            let _e986 = phi_3256_;
-                                            phi_3260_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e707.member.member.x + _e814), (_e707.member.member.x + _e836), (_e707.member.member_1.x - _e853), (_e707.member.member_1.x - _e875)), vec4<f32>((_e707.member.member.y + _e823), (_e707.member.member.y + _e840), (_e707.member.member_1.y - _e862), (_e707.member.member_1.y - _e879)), vec4<f32>((_e707.member.member.z + _e832), (_e707.member.member.z + _e844), (_e707.member.member_1.z - _e871), (_e707.member.member_1.z - _e883))), type_52(type_29((_e707.member.member + vec4<f32>(_e814, _e823, _e832, 0f)), (_e707.member.member_1 - vec4<f32>(_e853, _e862, _e871, 0f))), _e962), type_52(type_29((_e707.member.member + vec4<f32>(_e836, _e840, _e844, 0f)), (_e707.member.member_1 - vec4<f32>(_e875, _e879, _e883, 0f))), _e986));
+                                            let _e1640 = phi_3249_;
+                                            phi_3253_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e707.member.member.x + _e1468), (_e707.member.member.x + _e1490), (_e707.member.member_1.x - _e1507), (_e707.member.member_1.x - _e1529)), vec4<f32>((_e707.member.member.y + _e1477), (_e707.member.member.y + _e1494), (_e707.member.member_1.y - _e1516), (_e707.member.member_1.y - _e1533)), vec4<f32>((_e707.member.member.z + _e1486), (_e707.member.member.z + _e1498), (_e707.member.member_1.z - _e1525), (_e707.member.member_1.z - _e1537))), type_52(type_29((_e707.member.member + vec4<f32>(_e1468, _e1477, _e1486, 0f)), (_e707.member.member_1 - vec4<f32>(_e1507, _e1516, _e1525, 0f))), _e1616), type_52(type_29((_e707.member.member + vec4<f32>(_e1490, _e1494, _e1498, 0f)), (_e707.member.member_1 - vec4<f32>(_e1529, _e1533, _e1537, 0f))), _e1640));
                                         }
-                                        let _e991 = phi_3260_;
-                                        let _e1002 = ((_e991.member[0].x - _e369) * _e374);
-                                        let _e1003 = ((_e991.member[0].y - _e369) * _e374);
-                                        let _e1004 = ((_e991.member[0].z - _e370) * _e374);
-                                        let _e1005 = ((_e991.member[0].w - _e370) * _e374);
-                                        let _e1015 = ((_e991.member[1].x - _e437) * _e442);
-                                        let _e1016 = ((_e991.member[1].y - _e437) * _e442);
-                                        let _e1017 = ((_e991.member[1].z - _e438) * _e442);
-                                        let _e1018 = ((_e991.member[1].w - _e438) * _e442);
-                                        let _e1028 = ((_e991.member[2].x - _e505) * _e510);
-                                        let _e1029 = ((_e991.member[2].y - _e505) * _e510);
-                                        let _e1030 = ((_e991.member[2].z - _e506) * _e510);
-                                        let _e1031 = ((_e991.member[2].w - _e506) * _e510);
-                                        let _e1033 = select(_e1030, _e1028, (_e1028 < _e1030));
-                                        let _e1035 = select(_e1031, _e1029, (_e1029 < _e1031));
-                                        let _e1037 = select(_e1030, _e1028, (_e1028 > _e1030));
-                                        let _e1039 = select(_e1031, _e1029, (_e1029 > _e1031));
-                                        let _e1041 = select(_e1004, _e1002, (_e1002 < _e1004));
-                                        let _e1043 = select(_e1005, _e1003, (_e1003 < _e1005));
-                                        let _e1045 = select(_e1017, _e1015, (_e1015 < _e1017));
-                                        let _e1047 = select(_e1018, _e1016, (_e1016 < _e1018));
-                                        let _e1049 = select(_e1045, _e1041, (_e1041 > _e1045));
-                                        let _e1051 = select(_e1047, _e1043, (_e1043 > _e1047));
-                                        let _e1053 = select(_e1033, _e1049, (_e1049 > _e1033));
-                                        let _e1055 = select(_e1035, _e1051, (_e1051 > _e1035));
-                                        let _e1057 = select(_e1004, _e1002, (_e1002 > _e1004));
-                                        let _e1059 = select(_e1005, _e1003, (_e1003 > _e1005));
-                                        let _e1061 = select(_e1017, _e1015, (_e1015 > _e1017));
-                                        let _e1063 = select(_e1018, _e1016, (_e1016 > _e1018));
-                                        let _e1065 = select(_e1061, _e1057, (_e1057 < _e1061));
-                                        let _e1067 = select(_e1063, _e1059, (_e1059 < _e1063));
-                                        let _e1072 = -(_e1033);
-                                        let _e1073 = -(_e1035);
-                                        let _e1080 = (select(_e1037, _e1065, (_e1065 < _e1037)) + (select(_e1072, _e1037, (_e1037 > _e1072)) * 0.0000019073523f));
-                                        let _e1081 = (select(_e1039, _e1067, (_e1067 < _e1039)) + (select(_e1073, _e1039, (_e1039 > _e1073)) * 0.0000019073523f));
-                                        let _e1083 = select(_e622, _e1053, (_e1053 > _e622));
-                                        let _e1085 = select(_e622, _e1055, (_e1055 > _e622));
-                                        let _e1090 = (_e1083 <= select(_e665, _e1080, (_e1080 < _e665)));
-                                        let _e1091 = (_e1085 <= select(_e665, _e1081, (_e1081 < _e665)));
-                                        let _e1092 = (_e1083 <= _e1085);
-                                        if _e1090 {
-                                            if _e1091 {
-                                                if _e1092 {
-                                                    phi_3623_ = _e991.member_2;
+                                        let _e1645 = phi_3253_;
+                                        let _e1656 = ((_e1645.member[0].x - _e369) * _e374);
+                                        let _e1657 = ((_e1645.member[0].y - _e369) * _e374);
+                                        let _e1658 = ((_e1645.member[0].z - _e370) * _e374);
+                                        let _e1659 = ((_e1645.member[0].w - _e370) * _e374);
+                                        let _e1669 = ((_e1645.member[1].x - _e437) * _e442);
+                                        let _e1670 = ((_e1645.member[1].y - _e437) * _e442);
+                                        let _e1671 = ((_e1645.member[1].z - _e438) * _e442);
+                                        let _e1672 = ((_e1645.member[1].w - _e438) * _e442);
+                                        let _e1682 = ((_e1645.member[2].x - _e505) * _e510);
+                                        let _e1683 = ((_e1645.member[2].y - _e505) * _e510);
+                                        let _e1684 = ((_e1645.member[2].z - _e506) * _e510);
+                                        let _e1685 = ((_e1645.member[2].w - _e506) * _e510);
+                                        let _e1687 = select(_e1684, _e1682, (_e1682 < _e1684));
+                                        let _e1689 = select(_e1685, _e1683, (_e1683 < _e1685));
+                                        let _e1691 = select(_e1684, _e1682, (_e1682 > _e1684));
+                                        let _e1693 = select(_e1685, _e1683, (_e1683 > _e1685));
+                                        let _e1695 = select(_e1658, _e1656, (_e1656 < _e1658));
+                                        let _e1697 = select(_e1659, _e1657, (_e1657 < _e1659));
+                                        let _e1699 = select(_e1671, _e1669, (_e1669 < _e1671));
+                                        let _e1701 = select(_e1672, _e1670, (_e1670 < _e1672));
+                                        let _e1703 = select(_e1699, _e1695, (_e1695 > _e1699));
+                                        let _e1705 = select(_e1701, _e1697, (_e1697 > _e1701));
+                                        let _e1707 = select(_e1687, _e1703, (_e1703 > _e1687));
+                                        let _e1709 = select(_e1689, _e1705, (_e1705 > _e1689));
+                                        let _e1711 = select(_e1658, _e1656, (_e1656 > _e1658));
+                                        let _e1713 = select(_e1659, _e1657, (_e1657 > _e1659));
+                                        let _e1715 = select(_e1671, _e1669, (_e1669 > _e1671));
+                                        let _e1717 = select(_e1672, _e1670, (_e1670 > _e1672));
+                                        let _e1719 = select(_e1715, _e1711, (_e1711 < _e1715));
+                                        let _e1721 = select(_e1717, _e1713, (_e1713 < _e1717));
+                                        let _e1726 = -(_e1687);
+                                        let _e1727 = -(_e1689);
+                                        let _e1734 = (select(_e1691, _e1719, (_e1719 < _e1691)) + (select(_e1726, _e1691, (_e1691 > _e1726)) * 0.0000019073523f));
+                                        let _e1735 = (select(_e1693, _e1721, (_e1721 < _e1693)) + (select(_e1727, _e1693, (_e1693 > _e1727)) * 0.0000019073523f));
+                                        let _e1737 = select(_e622, _e1707, (_e1707 > _e622));
+                                        let _e1739 = select(_e622, _e1709, (_e1709 > _e622));
+                                        let _e1744 = (_e1737 <= select(_e1369, _e1734, (_e1734 < _e1369)));
+                                        let _e1745 = (_e1739 <= select(_e1369, _e1735, (_e1735 < _e1369)));
+                                        let _e1746 = (_e1737 <= _e1739);
+                                        if _e1744 {
+                                            if _e1745 {
+                                                if _e1746 {
+                                                    phi_3616_ = _e1645.member_2;
                                                 } else {
-                                                    phi_3623_ = _e991.member_1;
+                                                    phi_3616_ = _e1645.member_1;
                                                 }
-                                                let _e1096 = phi_3623_;
-                                                let _e1118 = (_e705 % 128u);
-                                                let _e1119 = (_e1118 < 128u);
-                                                if _e1119 {
+                                                let _e1750 = phi_3616_;
+                                                let _e1771 = (_e705 % 128u);
+                                                let _e1772 = (_e1771 < 128u);
+                                                if _e1772 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1118] = _e1096.member_1;
-                                                if _e1119 {
+                                                local_8[_e1771] = _e1750.member_1;
+                                                if _e1772 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1118] = _e1096.member.member.x;
-                                                if _e1119 {
+                                                local_7[_e1771] = _e1750.member.member.x;
+                                                if _e1772 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1118] = _e1096.member.member.y;
-                                                if _e1119 {
+                                                local_6[_e1771] = _e1750.member.member.y;
+                                                if _e1772 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1118] = _e1096.member.member.z;
-                                                if _e1119 {
+                                                local_5[_e1771] = _e1750.member.member.z;
+                                                if _e1772 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1118] = _e1096.member.member_1.x;
-                                                if _e1119 {
+                                                local_4[_e1771] = _e1750.member.member_1.x;
+                                                if _e1772 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1118] = _e1096.member.member_1.y;
-                                                if _e1119 {
+                                                local_3[_e1771] = _e1750.member.member_1.y;
+                                                if _e1772 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1118] = _e1096.member.member_1.z;
-                                                if _e1119 {
+                                                local_2[_e1771] = _e1750.member.member_1.z;
+                                                if _e1772 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_10[_e1118] = select(_e1085, _e1083, !(_e1092));
-                                                if _e1092 {
-                                                    phi_3700_ = _e991.member_1;
+                                                local_10[_e1771] = select(_e1737, _e1739, _e1746);
+                                                if _e1746 {
+                                                    phi_3692_ = _e1645.member_1;
                                                 } else {
-                                                    phi_3700_ = _e991.member_2;
+                                                    phi_3692_ = _e1645.member_2;
                                                 }
-                                                let _e1132 = phi_3700_;
-                                                phi_3701_ = (_e705 + 1u);
-                                                phi_3702_ = _e1132;
+                                                let _e1785 = phi_3692_;
+                                                phi_3693_ = (_e705 + 1u);
+                                                phi_3694_ = _e1785;
                                             } else {
-                                                phi_3701_ = u32();
-                                                phi_3702_ = type_52();
+                                                phi_3693_ = u32();
+                                                phi_3694_ = type_52();
                                             }
-                                            let _e1134 = phi_3701_;
-                                            let _e1136 = phi_3702_;
-                                            phi_3704_ = _e1134;
-                                            phi_3705_ = _e1136;
-                                            phi_3706_ = select(true, false, _e1091);
+                                            let _e1787 = phi_3693_;
+                                            let _e1789 = phi_3694_;
+                                            phi_3696_ = _e1787;
+                                            phi_3697_ = _e1789;
+                                            phi_3698_ = select(true, false, _e1745);
                                         } else {
-                                            phi_3704_ = u32();
-                                            phi_3705_ = type_52();
-                                            phi_3706_ = true;
+                                            phi_3696_ = u32();
+                                            phi_3697_ = type_52();
+                                            phi_3698_ = true;
                                         }
-                                        let _e1139 = phi_3704_;
-                                        let _e1141 = phi_3705_;
-                                        let _e1143 = phi_3706_;
-                                        if _e1143 {
-                                            if _e1090 {
-                                                phi_3715_ = _e991.member_1;
+                                        let _e1792 = phi_3696_;
+                                        let _e1794 = phi_3697_;
+                                        let _e1796 = phi_3698_;
+                                        if _e1796 {
+                                            if _e1744 {
+                                                phi_3707_ = _e1645.member_1;
                                             } else {
-                                                phi_3715_ = _e991.member_2;
+                                                phi_3707_ = _e1645.member_2;
                                             }
-                                            let _e1147 = phi_3715_;
-                                            phi_3720_ = select(_e1091, true, _e1090);
-                                            phi_3722_ = _e1147;
+                                            let _e1800 = phi_3707_;
+                                            phi_3712_ = select(_e1745, true, _e1744);
+                                            phi_3714_ = _e1800;
                                         } else {
-                                            phi_3720_ = _e703;
-                                            phi_3722_ = _e1141;
+                                            phi_3712_ = _e703;
+                                            phi_3714_ = _e1794;
                                         }
-                                        let _e1150 = phi_3720_;
-                                        let _e1152 = phi_3722_;
-                                        phi_4553_ = _e665;
-                                        phi_4444_ = _e663;
-                                        phi_3726_ = _e1150;
-                                        phi_3727_ = select(_e1139, _e705, _e1143);
-                                        phi_3728_ = _e1152;
+                                        let _e1803 = phi_3712_;
+                                        let _e1805 = phi_3714_;
+                                        phi_3718_ = _e1803;
+                                        phi_3719_ = select(_e1792, _e705, _e1796);
+                                        phi_3720_ = _e1805;
                                     }
-                                    let _e1805 = phi_4553_;
-                                    let _e1807 = phi_4444_;
-                                    let _e1809 = phi_3726_;
-                                    let _e1811 = phi_3727_;
-                                    let _e1813 = phi_3728_;
-                                    phi_4552_ = _e1805;
-                                    phi_4443_ = _e1807;
-                                    phi_3729_ = _e1809;
-                                    phi_3730_ = (_e669 - 1u);
-                                    phi_3731_ = _e1811;
-                                    phi_3732_ = _e1813;
+                                    let _e1808 = phi_3718_;
+                                    let _e1810 = phi_3719_;
+                                    let _e1812 = phi_3720_;
+                                    if _e711 {
+                                        phi_3730_ = _e707;
+                                    } else {
+                                        phi_3730_ = _e1812;
+                                    }
+                                    let _e1814 = phi_3730_;
+                                    phi_4649_ = _e1369;
+                                    phi_4538_ = _e1367;
+                                    phi_3731_ = (_e667 - 1u);
+                                    phi_3732_ = select(_e1808, false, _e711);
+                                    phi_3733_ = select(_e1810, _e705, _e711);
+                                    phi_3734_ = _e1814;
                                 } else {
-                                    phi_4552_ = _e665;
-                                    phi_4443_ = _e663;
-                                    phi_3729_ = _e703;
-                                    phi_3730_ = _e669;
-                                    phi_3731_ = _e705;
-                                    phi_3732_ = _e707;
+                                    phi_4649_ = _e665;
+                                    phi_4538_ = _e663;
+                                    phi_3731_ = _e667;
+                                    phi_3732_ = _e703;
+                                    phi_3733_ = _e705;
+                                    phi_3734_ = _e707;
                                 }
-                                let _e1815 = phi_4552_;
-                                let _e1817 = phi_4443_;
-                                let _e1819 = phi_3729_;
-                                let _e1821 = phi_3730_;
-                                let _e1823 = phi_3731_;
-                                let _e1825 = phi_3732_;
-                                phi_4551_ = _e1815;
-                                phi_4442_ = _e1817;
-                                phi_3733_ = _e1819;
-                                phi_3734_ = _e1821;
-                                phi_3735_ = _e1823;
-                                phi_3736_ = _e1825;
+                                let _e1818 = phi_4649_;
+                                let _e1820 = phi_4538_;
+                                let _e1822 = phi_3731_;
+                                let _e1824 = phi_3732_;
+                                let _e1826 = phi_3733_;
+                                let _e1828 = phi_3734_;
+                                phi_4648_ = _e1818;
+                                phi_4537_ = _e1820;
+                                phi_3735_ = _e1822;
+                                phi_3736_ = _e1824;
+                                phi_3737_ = _e1826;
+                                phi_3738_ = _e1828;
                             } else {
-                                phi_4551_ = _e665;
-                                phi_4442_ = _e663;
-                                phi_3733_ = bool();
-                                phi_3734_ = u32();
+                                phi_4648_ = _e665;
+                                phi_4537_ = _e663;
                                 phi_3735_ = u32();
-                                phi_3736_ = type_52();
+                                phi_3736_ = bool();
+                                phi_3737_ = u32();
+                                phi_3738_ = type_52();
                             }
-                            let _e1827 = phi_4551_;
-                            let _e1829 = phi_4442_;
-                            let _e1831 = phi_3733_;
-                            let _e1833 = phi_3734_;
-                            let _e1835 = phi_3735_;
-                            let _e1837 = phi_3736_;
-                            phi_4550_ = _e1827;
-                            phi_4441_ = _e1829;
-                            phi_1225_ = _e1831;
-                            phi_1228_ = _e1833;
-                            phi_1230_ = _e1835;
-                            phi_1232_ = _e1837;
-                            phi_3737_ = _e677;
+                            let _e1830 = phi_4648_;
+                            let _e1832 = phi_4537_;
+                            let _e1834 = phi_3735_;
+                            let _e1836 = phi_3736_;
+                            let _e1838 = phi_3737_;
+                            let _e1840 = phi_3738_;
+                            phi_4647_ = _e1830;
+                            phi_4536_ = _e1832;
+                            phi_1223_ = _e1834;
+                            phi_1226_ = _e1836;
+                            phi_1228_ = _e1838;
+                            phi_1230_ = _e1840;
+                            phi_3739_ = _e677;
                         } else {
-                            phi_4550_ = _e665;
-                            phi_4441_ = _e663;
-                            phi_1225_ = bool();
+                            phi_4647_ = _e665;
+                            phi_4536_ = _e663;
+                            phi_1223_ = u32();
+                            phi_1226_ = bool();
                             phi_1228_ = u32();
-                            phi_1230_ = u32();
-                            phi_1232_ = type_52();
-                            phi_3737_ = false;
+                            phi_1230_ = type_52();
+                            phi_3739_ = false;
                         }
-                        let _e1839 = phi_4550_;
-                        let _e1841 = phi_4441_;
-                        let _e1843 = phi_1225_;
-                        let _e1845 = phi_1228_;
-                        let _e1847 = phi_1230_;
-                        let _e1849 = phi_1232_;
-                        let _e1851 = phi_3737_;
+                        let _e1842 = phi_4647_;
+                        let _e1844 = phi_4536_;
+                        let _e1846 = phi_1223_;
+                        let _e1848 = phi_1226_;
+                        let _e1850 = phi_1228_;
+                        let _e1852 = phi_1230_;
+                        let _e1854 = phi_3739_;
                         continue;
                         continuing {
-                            phi_4287_ = _e1841;
-                            phi_4216_ = _e1839;
-                            phi_1224_ = _e1843;
-                            phi_1227_ = _e1845;
-                            phi_1229_ = _e1847;
-                            phi_1231_ = _e1849;
-                            phi_4440_ = _e1841;
-                            break if !(_e1851);
+                            phi_4236_ = _e1844;
+                            phi_4217_ = _e1842;
+                            phi_1222_ = _e1846;
+                            phi_1225_ = _e1848;
+                            phi_1227_ = _e1850;
+                            phi_1229_ = _e1852;
+                            phi_4535_ = _e1844;
+                            break if !(_e1854);
                         }
                     }
-                    let _e1854 = phi_4440_;
-                    if _e1854 {
+                    let _e1857 = phi_4535_;
+                    if _e1857 {
                         break;
                     }
-                    phi_3744_ = type_4(0u, 8u);
+                    phi_3746_ = type_4(0u, 8u);
                     loop {
-                        let _e1856 = phi_3744_;
-                        if (_e1856.member < _e1856.member_1) {
-                            phi_3745_ = type_4((_e1856.member + 1u), _e1856.member_1);
-                            phi_3768_ = type_4(1u, _e1856.member);
+                        let _e1859 = phi_3746_;
+                        if (_e1859.member < _e1859.member_1) {
+                            phi_3747_ = type_4((_e1859.member + 1u), _e1859.member_1);
+                            phi_3770_ = type_4(1u, _e1859.member);
                         } else {
-                            phi_3745_ = _e1856;
-                            phi_3768_ = type_4(0u, type_4().member_1);
+                            phi_3747_ = _e1859;
+                            phi_3770_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1869 = phi_3745_;
-                        let _e1871 = phi_3768_;
-                        let _e1875 = (bitcast<i32>(_e1871.member) != 0i);
-                        if _e1875 {
-                            let _e1876 = (_e1871.member_1 < 8u);
-                            if _e1876 {
+                        let _e1872 = phi_3747_;
+                        let _e1874 = phi_3770_;
+                        let _e1878 = (bitcast<i32>(_e1874.member) != 0i);
+                        if _e1878 {
+                            let _e1879 = (_e1874.member_1 < 8u);
+                            if _e1879 {
                             } else {
-                                phi_4532_ = true;
+                                phi_4629_ = true;
                                 break;
                             }
-                            let _e1878 = local_9[_e1871.member_1];
-                            if (_e1878.member_3 != 4294967295u) {
-                                let _e1884 = -(_e524);
-                                let _e1885 = bitcast<u32>(_e1878.member);
-                                let _e1889 = (bitcast<i32>((_e1885 >> bitcast<u32>(23i))) & 255i);
-                                let _e1890 = (_e1889 + _e1884);
-                                if (_e1889 == 255i) {
-                                    phi_3841_ = _e1878.member;
+                            let _e1881 = local_9[_e1874.member_1];
+                            if (_e1881.member_3 != 4294967295u) {
+                                let _e1887 = -(_e524);
+                                let _e1888 = bitcast<u32>(_e1881.member);
+                                let _e1892 = (bitcast<i32>((_e1888 >> bitcast<u32>(23i))) & 255i);
+                                let _e1893 = (_e1892 + _e1887);
+                                if (_e1892 == 255i) {
+                                    phi_3843_ = _e1881.member;
                                 } else {
-                                    if (_e1889 > 0i) {
-                                        if (_e1890 > 0i) {
-                                            let _e1894 = (_e1890 < 255i);
-                                            if _e1894 {
-                                                phi_3820_ = bitcast<f32>((_e1885 + bitcast<u32>((_e1884 << bitcast<u32>(23i)))));
+                                    if (_e1892 > 0i) {
+                                        if (_e1893 > 0i) {
+                                            let _e1897 = (_e1893 < 255i);
+                                            if _e1897 {
+                                                phi_3822_ = bitcast<f32>((_e1888 + bitcast<u32>((_e1887 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3820_ = f32();
+                                                phi_3822_ = f32();
                                             }
-                                            let _e1901 = phi_3820_;
-                                            phi_3822_ = _e1901;
-                                            phi_3823_ = select(true, false, _e1894);
+                                            let _e1904 = phi_3822_;
+                                            phi_3824_ = _e1904;
+                                            phi_3825_ = select(true, false, _e1897);
                                         } else {
-                                            phi_3822_ = f32();
-                                            phi_3823_ = true;
+                                            phi_3824_ = f32();
+                                            phi_3825_ = true;
                                         }
-                                        let _e1904 = phi_3822_;
-                                        let _e1906 = phi_3823_;
-                                        phi_3824_ = _e1904;
-                                        phi_3825_ = _e1906;
+                                        let _e1907 = phi_3824_;
+                                        let _e1909 = phi_3825_;
+                                        phi_3826_ = _e1907;
+                                        phi_3827_ = _e1909;
                                     } else {
-                                        phi_3824_ = f32();
-                                        phi_3825_ = true;
+                                        phi_3826_ = f32();
+                                        phi_3827_ = true;
                                     }
-                                    let _e1908 = phi_3824_;
-                                    let _e1910 = phi_3825_;
-                                    if _e1910 {
-                                        let _e1911 = (_e1885 & 2147483648u);
-                                        let _e1918 = ((_e1885 & 8388607u) | (select(0u, 1u, ((_e1885 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1922 = (_e1918 == 0u);
-                                        if _e1922 {
-                                            phi_4162_ = bitcast<f32>(_e1911);
+                                    let _e1911 = phi_3826_;
+                                    let _e1913 = phi_3827_;
+                                    if _e1913 {
+                                        let _e1914 = (_e1888 & 2147483648u);
+                                        let _e1921 = ((_e1888 & 8388607u) | (select(0u, 1u, ((_e1888 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1925 = (_e1921 == 0u);
+                                        if _e1925 {
+                                            phi_4164_ = bitcast<f32>(_e1914);
                                         } else {
-                                            let _e1927 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1918)), 32u, _e1922) - 8u);
-                                            let _e1930 = (_e1918 << bitcast<u32>((_e1927 & 31u)));
-                                            let _e1932 = ((_e1890 + select(0i, 1i, (_e1889 == 0i))) - bitcast<i32>(_e1927));
-                                            if (_e1932 >= 255i) {
-                                                phi_4152_ = bitcast<f32>((_e1911 | 2139095040u));
-                                                phi_4153_ = f32();
-                                                phi_4154_ = true;
+                                            let _e1930 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1921)), 32u, _e1925) - 8u);
+                                            let _e1933 = (_e1921 << bitcast<u32>((_e1930 & 31u)));
+                                            let _e1935 = ((_e1893 + select(0i, 1i, (_e1892 == 0i))) - bitcast<i32>(_e1930));
+                                            if (_e1935 >= 255i) {
+                                                phi_4154_ = bitcast<f32>((_e1914 | 2139095040u));
+                                                phi_4155_ = f32();
+                                                phi_4156_ = true;
                                             } else {
-                                                let _e1934 = (_e1932 > 0i);
-                                                if _e1934 {
-                                                    phi_4146_ = bitcast<f32>(((_e1911 | (bitcast<u32>(_e1932) << bitcast<u32>(23i))) | (_e1930 & 8388607u)));
-                                                    phi_4147_ = f32();
+                                                let _e1937 = (_e1935 > 0i);
+                                                if _e1937 {
+                                                    phi_4148_ = bitcast<f32>(((_e1914 | (bitcast<u32>(_e1935) << bitcast<u32>(23i))) | (_e1933 & 8388607u)));
+                                                    phi_4149_ = f32();
                                                 } else {
-                                                    if (_e1932 < -24i) {
-                                                        phi_4112_ = 26u;
+                                                    if (_e1935 < -24i) {
+                                                        phi_4114_ = 26u;
                                                     } else {
-                                                        phi_4112_ = bitcast<u32>((1i - _e1932));
+                                                        phi_4114_ = bitcast<u32>((1i - _e1935));
                                                     }
-                                                    let _e1939 = phi_4112_;
-                                                    let _e1940 = (_e1939 & 31u);
-                                                    let _e1942 = (_e1930 >> bitcast<u32>(_e1940));
-                                                    let _e1946 = (_e1930 & ((1u << bitcast<u32>(_e1940)) - 1u));
-                                                    let _e1950 = (1u << bitcast<u32>(((_e1939 - 1u) & 31u)));
-                                                    if (_e1946 > _e1950) {
-                                                        phi_4133_ = true;
+                                                    let _e1942 = phi_4114_;
+                                                    let _e1943 = (_e1942 & 31u);
+                                                    let _e1945 = (_e1933 >> bitcast<u32>(_e1943));
+                                                    let _e1949 = (_e1933 & ((1u << bitcast<u32>(_e1943)) - 1u));
+                                                    let _e1953 = (1u << bitcast<u32>(((_e1942 - 1u) & 31u)));
+                                                    if (_e1949 > _e1953) {
+                                                        phi_4135_ = true;
                                                     } else {
-                                                        if (_e1946 == _e1950) {
-                                                            phi_4130_ = ((_e1942 & 1u) == 1u);
+                                                        if (_e1949 == _e1953) {
+                                                            phi_4132_ = ((_e1945 & 1u) == 1u);
                                                         } else {
-                                                            phi_4130_ = false;
+                                                            phi_4132_ = false;
                                                         }
-                                                        let _e1956 = phi_4130_;
-                                                        phi_4133_ = _e1956;
+                                                        let _e1959 = phi_4132_;
+                                                        phi_4135_ = _e1959;
                                                     }
-                                                    let _e1958 = phi_4133_;
-                                                    phi_4146_ = f32();
-                                                    phi_4147_ = bitcast<f32>((_e1911 | (_e1942 + select(0u, 1u, _e1958))));
+                                                    let _e1961 = phi_4135_;
+                                                    phi_4148_ = f32();
+                                                    phi_4149_ = bitcast<f32>((_e1914 | (_e1945 + select(0u, 1u, _e1961))));
                                                 }
-                                                let _e1971 = phi_4146_;
-                                                let _e1973 = phi_4147_;
-                                                phi_4152_ = _e1971;
-                                                phi_4153_ = _e1973;
-                                                phi_4154_ = _e1934;
+                                                let _e1974 = phi_4148_;
+                                                let _e1976 = phi_4149_;
+                                                phi_4154_ = _e1974;
+                                                phi_4155_ = _e1976;
+                                                phi_4156_ = _e1937;
                                             }
-                                            let _e1977 = phi_4152_;
-                                            let _e1979 = phi_4153_;
-                                            let _e1981 = phi_4154_;
-                                            phi_4162_ = select(_e1979, _e1977, _e1981);
+                                            let _e1980 = phi_4154_;
+                                            let _e1982 = phi_4155_;
+                                            let _e1984 = phi_4156_;
+                                            phi_4164_ = select(_e1982, _e1980, _e1984);
                                         }
-                                        let _e1985 = phi_4162_;
-                                        phi_3840_ = _e1985;
+                                        let _e1988 = phi_4164_;
+                                        phi_3842_ = _e1988;
                                     } else {
-                                        phi_3840_ = _e1908;
+                                        phi_3842_ = _e1911;
                                     }
-                                    let _e1987 = phi_3840_;
-                                    phi_3841_ = _e1987;
+                                    let _e1990 = phi_3842_;
+                                    phi_3843_ = _e1990;
                                 }
-                                let _e1989 = phi_3841_;
-                                let _e1990 = bitcast<u32>(_e1989);
-                                if ((_e1990 & 2147483647u) >= 2139095040u) {
-                                    phi_3853_ = bitcast<f32>(((_e1990 & 2147483648u) | 2139095039u));
+                                let _e1992 = phi_3843_;
+                                let _e1993 = bitcast<u32>(_e1992);
+                                if ((_e1993 & 2147483647u) >= 2139095040u) {
+                                    phi_3855_ = bitcast<f32>(((_e1993 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3853_ = _e1989;
+                                    phi_3855_ = _e1992;
                                 }
-                                let _e1997 = phi_3853_;
-                                phi_3858_ = type_25(_e1997, _e1878.member_1, _e1878.member_2, _e1878.member_3);
+                                let _e2000 = phi_3855_;
+                                phi_3860_ = type_25(_e2000, _e1881.member_1, _e1881.member_2, _e1881.member_3);
                             } else {
-                                phi_3858_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3860_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e2000 = phi_3858_;
-                            if _e1876 {
+                            let _e2003 = phi_3860_;
+                            if _e1879 {
                             } else {
-                                phi_4532_ = true;
+                                phi_4629_ = true;
                                 break;
                             }
-                            local_9[_e1871.member_1] = type_25(_e2000.member, _e2000.member_1, _e2000.member_2, _e2000.member_3);
+                            local_9[_e1874.member_1] = type_25(_e2003.member, _e2003.member_1, _e2003.member_2, _e2003.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3744_ = _e1869;
-                            phi_4532_ = _e1854;
-                            break if !(_e1875);
+                            phi_3746_ = _e1872;
+                            phi_4629_ = _e1857;
+                            break if !(_e1878);
                         }
                     }
-                    let _e2008 = phi_4532_;
-                    if _e2008 {
+                    let _e2011 = phi_4629_;
+                    if _e2011 {
                         break;
                     }
-                    let _e2009 = local_9;
+                    let _e2012 = local_9;
                     if _e155 {
                     } else {
                         break;
                     }
-                    global_6.member[_e153] = array<type_25, 8>(type_25(_e2009[0].member, _e2009[0].member_1, _e2009[0].member_2, _e2009[0].member_3), type_25(_e2009[1].member, _e2009[1].member_1, _e2009[1].member_2, _e2009[1].member_3), type_25(_e2009[2].member, _e2009[2].member_1, _e2009[2].member_2, _e2009[2].member_3), type_25(_e2009[3].member, _e2009[3].member_1, _e2009[3].member_2, _e2009[3].member_3), type_25(_e2009[4].member, _e2009[4].member_1, _e2009[4].member_2, _e2009[4].member_3), type_25(_e2009[5].member, _e2009[5].member_1, _e2009[5].member_2, _e2009[5].member_3), type_25(_e2009[6].member, _e2009[6].member_1, _e2009[6].member_2, _e2009[6].member_3), type_25(_e2009[7].member, _e2009[7].member_1, _e2009[7].member_2, _e2009[7].member_3));
+                    global_6.member[_e153] = array<type_25, 8>(type_25(_e2012[0].member, _e2012[0].member_1, _e2012[0].member_2, _e2012[0].member_3), type_25(_e2012[1].member, _e2012[1].member_1, _e2012[1].member_2, _e2012[1].member_3), type_25(_e2012[2].member, _e2012[2].member_1, _e2012[2].member_2, _e2012[2].member_3), type_25(_e2012[3].member, _e2012[3].member_1, _e2012[3].member_2, _e2012[3].member_3), type_25(_e2012[4].member, _e2012[4].member_1, _e2012[4].member_2, _e2012[4].member_3), type_25(_e2012[5].member, _e2012[5].member_1, _e2012[5].member_2, _e2012[5].member_3), type_25(_e2012[6].member, _e2012[6].member_1, _e2012[6].member_2, _e2012[6].member_3), type_25(_e2012[7].member, _e2012[7].member_1, _e2012[7].member_2, _e2012[7].member_3));
                 }
             }
             break;

@@ -118,175 +118,176 @@ fn function_() {
     var phi_1076_: u32;
     var phi_1084_: f32;
     var phi_1085_: f32;
-    var phi_5032_: bool;
-    var phi_4889_: f32;
-    var phi_1236_: bool;
+    var phi_4976_: bool;
+    var phi_4890_: f32;
+    var phi_1234_: u32;
+    var phi_1237_: bool;
     var phi_1239_: u32;
-    var phi_1241_: u32;
-    var phi_1243_: type_51;
-    var phi_1254_: bool;
-    var phi_1341_: bool;
-    var phi_1342_: u32;
-    var phi_1343_: type_51;
-    var phi_3634_: u32;
-    var phi_3640_: u32;
-    var phi_3894_: u32;
-    var phi_3895_: u32;
-    var phi_3905_: u32;
-    var phi_3907_: u32;
-    var phi_3908_: bool;
-    var phi_3928_: u32;
-    var phi_3929_: u32;
-    var phi_3933_: type_52;
-    var phi_4296_: type_51;
-    var phi_4373_: type_51;
-    var phi_4374_: u32;
-    var phi_4375_: type_51;
-    var phi_4377_: u32;
-    var phi_4378_: type_51;
-    var phi_4379_: bool;
-    var phi_4388_: type_51;
-    var phi_4393_: bool;
-    var phi_4395_: type_51;
-    var phi_5029_: bool;
-    var phi_4972_: f32;
-    var phi_1362_: type_8;
-    var phi_1363_: type_8;
-    var phi_1386_: type_8;
-    var phi_1427_: u32;
-    var phi_1433_: u32;
-    var phi_1443_: u32;
-    var phi_1459_: u32;
-    var phi_1492_: u32;
-    var phi_1498_: u32;
-    var phi_1964_: u32;
-    var phi_1982_: u32;
-    var phi_2000_: u32;
-    var phi_2023_: u32;
-    var phi_2041_: u32;
-    var phi_2059_: u32;
-    var phi_2082_: u32;
-    var phi_2100_: u32;
-    var phi_2118_: u32;
-    var phi_1672_: u32;
-    var phi_1687_: u32;
-    var phi_1697_: u32;
-    var phi_1718_: u32;
-    var phi_1739_: u32;
-    var phi_1769_: u32;
-    var phi_1784_: u32;
-    var phi_1794_: u32;
-    var phi_1815_: u32;
-    var phi_1836_: u32;
-    var phi_1866_: u32;
-    var phi_1881_: u32;
-    var phi_1891_: u32;
-    var phi_1912_: u32;
-    var phi_1933_: u32;
-    var phi_1525_: u32;
-    var phi_1574_: u32;
-    var phi_1623_: u32;
-    var phi_2124_: array<array<f32, 3>, 3>;
-    var phi_2277_: bool;
-    var phi_2306_: bool;
+    var phi_1241_: type_51;
+    var phi_1252_: bool;
+    var phi_1339_: bool;
+    var phi_1340_: u32;
+    var phi_1341_: type_51;
+    var phi_4973_: bool;
+    var phi_4915_: f32;
+    var phi_1360_: type_8;
+    var phi_1361_: type_8;
+    var phi_1384_: type_8;
+    var phi_1425_: u32;
+    var phi_1431_: u32;
+    var phi_1441_: u32;
+    var phi_1457_: u32;
+    var phi_1490_: u32;
+    var phi_1496_: u32;
+    var phi_1962_: u32;
+    var phi_1980_: u32;
+    var phi_1998_: u32;
+    var phi_2021_: u32;
+    var phi_2039_: u32;
+    var phi_2057_: u32;
+    var phi_2080_: u32;
+    var phi_2098_: u32;
+    var phi_2116_: u32;
+    var phi_1670_: u32;
+    var phi_1685_: u32;
+    var phi_1695_: u32;
+    var phi_1716_: u32;
+    var phi_1737_: u32;
+    var phi_1767_: u32;
+    var phi_1782_: u32;
+    var phi_1792_: u32;
+    var phi_1813_: u32;
+    var phi_1834_: u32;
+    var phi_1864_: u32;
+    var phi_1879_: u32;
+    var phi_1889_: u32;
+    var phi_1910_: u32;
+    var phi_1931_: u32;
+    var phi_1523_: u32;
+    var phi_1572_: u32;
+    var phi_1621_: u32;
+    var phi_2122_: array<array<f32, 3>, 3>;
+    var phi_2275_: bool;
+    var phi_2304_: bool;
+    var phi_2723_: f32;
+    var phi_2724_: f32;
     var phi_2725_: f32;
     var phi_2726_: f32;
-    var phi_2727_: f32;
-    var phi_2728_: f32;
+    var phi_2727_: vec3<f32>;
+    var phi_2728_: vec3<f32>;
     var phi_2729_: vec3<f32>;
     var phi_2730_: vec3<f32>;
-    var phi_2731_: vec3<f32>;
-    var phi_2732_: vec3<f32>;
-    var phi_2769_: bool;
-    var phi_2778_: vec3<f32>;
+    var phi_2767_: bool;
+    var phi_2776_: vec3<f32>;
+    var phi_2941_: f32;
     var phi_2943_: f32;
-    var phi_2945_: f32;
-    var phi_2946_: bool;
-    var phi_2966_: f32;
-    var phi_2967_: f32;
+    var phi_2944_: bool;
+    var phi_2964_: f32;
+    var phi_2965_: f32;
+    var phi_2988_: type_24;
     var phi_2990_: type_24;
-    var phi_2992_: type_24;
-    var phi_2993_: bool;
+    var phi_2991_: bool;
+    var phi_2995_: type_24;
+    var phi_2996_: type_24;
     var phi_2997_: type_24;
-    var phi_2998_: type_24;
-    var phi_2999_: type_24;
-    var phi_3000_: bool;
+    var phi_2998_: bool;
+    var phi_3002_: type_24;
+    var phi_3003_: bool;
     var phi_3004_: type_24;
     var phi_3005_: bool;
-    var phi_3006_: type_24;
-    var phi_3007_: bool;
+    var phi_3006_: bool;
+    var phi_3007_: type_24;
     var phi_3008_: bool;
-    var phi_3009_: type_24;
-    var phi_3010_: bool;
-    var phi_3011_: bool;
-    var phi_3019_: type_24;
-    var phi_3020_: bool;
-    var phi_3024_: type_24;
-    var phi_3036_: type_8;
-    var phi_3039_: type_24;
-    var phi_3037_: type_8;
-    var phi_3062_: type_8;
-    var phi_3094_: bool;
-    var phi_3095_: bool;
-    var phi_3116_: type_24;
-    var phi_3040_: type_24;
-    var phi_5000_: bool;
-    var phi_5456_: f32;
-    var phi_5455_: f32;
-    var phi_5210_: bool;
-    var phi_5454_: f32;
-    var phi_5209_: bool;
-    var phi_5453_: f32;
-    var phi_5208_: bool;
-    var phi_5365_: f32;
-    var phi_5207_: bool;
-    var phi_5330_: f32;
-    var phi_5216_: bool;
-    var phi_4399_: bool;
-    var phi_4400_: u32;
-    var phi_4401_: type_51;
-    var phi_5329_: f32;
-    var phi_5215_: bool;
-    var phi_4402_: bool;
-    var phi_4403_: u32;
+    var phi_3009_: bool;
+    var phi_3017_: type_24;
+    var phi_3018_: bool;
+    var phi_3022_: type_24;
+    var phi_3034_: type_8;
+    var phi_3037_: type_24;
+    var phi_3035_: type_8;
+    var phi_3060_: type_8;
+    var phi_3092_: bool;
+    var phi_3093_: bool;
+    var phi_3114_: type_24;
+    var phi_3038_: type_24;
+    var phi_4944_: bool;
+    var phi_5305_: f32;
+    var phi_5304_: f32;
+    var phi_5154_: bool;
+    var phi_5303_: f32;
+    var phi_5153_: bool;
+    var phi_5302_: f32;
+    var phi_5152_: bool;
+    var phi_5214_: f32;
+    var phi_5151_: bool;
+    var phi_5398_: bool;
+    var phi_5213_: f32;
+    var phi_3627_: u32;
+    var phi_3633_: u32;
+    var phi_3887_: u32;
+    var phi_3888_: u32;
+    var phi_3898_: u32;
+    var phi_3900_: u32;
+    var phi_3901_: bool;
+    var phi_3921_: u32;
+    var phi_3922_: u32;
+    var phi_3926_: type_52;
+    var phi_4289_: type_51;
+    var phi_4365_: type_51;
+    var phi_4366_: u32;
+    var phi_4367_: type_51;
+    var phi_4369_: u32;
+    var phi_4370_: type_51;
+    var phi_4371_: bool;
+    var phi_4380_: type_51;
+    var phi_4385_: bool;
+    var phi_4387_: type_51;
+    var phi_4391_: bool;
+    var phi_4392_: u32;
+    var phi_4393_: type_51;
+    var phi_4403_: type_51;
+    var phi_5426_: f32;
+    var phi_5310_: bool;
     var phi_4404_: u32;
-    var phi_4405_: type_51;
-    var phi_5328_: f32;
-    var phi_5214_: bool;
-    var phi_4406_: bool;
-    var phi_4407_: u32;
+    var phi_4405_: bool;
+    var phi_4406_: u32;
+    var phi_4407_: type_51;
+    var phi_5425_: f32;
+    var phi_5309_: bool;
     var phi_4408_: u32;
-    var phi_4409_: type_51;
-    var phi_5327_: f32;
-    var phi_5213_: bool;
-    var phi_1237_: bool;
+    var phi_4409_: bool;
+    var phi_4410_: u32;
+    var phi_4411_: type_51;
+    var phi_5424_: f32;
+    var phi_5308_: bool;
+    var phi_1235_: u32;
+    var phi_1238_: bool;
     var phi_1240_: u32;
-    var phi_1242_: u32;
-    var phi_1244_: type_51;
-    var phi_4410_: bool;
-    var phi_5212_: bool;
-    var phi_4417_: type_8;
-    var phi_4418_: type_8;
-    var phi_4441_: type_8;
-    var phi_4493_: f32;
+    var phi_1242_: type_51;
+    var phi_4412_: bool;
+    var phi_5307_: bool;
+    var phi_4419_: type_8;
+    var phi_4420_: type_8;
+    var phi_4443_: type_8;
     var phi_4495_: f32;
-    var phi_4496_: bool;
     var phi_4497_: f32;
     var phi_4498_: bool;
-    var phi_4785_: u32;
-    var phi_4803_: bool;
-    var phi_4806_: bool;
-    var phi_4819_: f32;
-    var phi_4820_: f32;
-    var phi_4825_: f32;
-    var phi_4826_: f32;
-    var phi_4827_: bool;
-    var phi_4835_: f32;
-    var phi_4513_: f32;
-    var phi_4514_: f32;
-    var phi_4526_: f32;
-    var phi_4531_: type_24;
-    var phi_5309_: bool;
+    var phi_4499_: f32;
+    var phi_4500_: bool;
+    var phi_4787_: u32;
+    var phi_4805_: bool;
+    var phi_4808_: bool;
+    var phi_4821_: f32;
+    var phi_4822_: f32;
+    var phi_4827_: f32;
+    var phi_4828_: f32;
+    var phi_4829_: bool;
+    var phi_4837_: f32;
+    var phi_4515_: f32;
+    var phi_4516_: f32;
+    var phi_4528_: f32;
+    var phi_4533_: type_24;
+    var phi_5406_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -651,1496 +652,1506 @@ fn function_() {
                         break;
                     }
                     let _e659 = local[_e643];
-                    phi_5032_ = false;
-                    phi_4889_ = _e626;
-                    phi_1236_ = (_e628 <= _e626);
-                    phi_1239_ = ((3u * _e102) + 1u);
-                    phi_1241_ = 0u;
-                    phi_1243_ = type_51(type_28(vec4<f32>((f32(_e634) * _e153), (f32(_e640) * _e153), (f32(_e646) * _e153), 0f), vec4<f32>((f32(_e651) * _e153), (f32(_e655) * _e153), (f32(_e659) * _e153), 0f)), select(0u, 2147483648u, (_e102 == 0u)));
+                    phi_4976_ = false;
+                    phi_4890_ = _e626;
+                    phi_1234_ = ((3u * _e102) + 1u);
+                    phi_1237_ = (_e628 <= _e626);
+                    phi_1239_ = 0u;
+                    phi_1241_ = type_51(type_28(vec4<f32>((f32(_e634) * _e153), (f32(_e640) * _e153), (f32(_e646) * _e153), 0f), vec4<f32>((f32(_e651) * _e153), (f32(_e655) * _e153), (f32(_e659) * _e153), 0f)), select(0u, 2147483648u, (_e102 == 0u)));
                     loop {
-                        let _e669 = phi_5032_;
-                        let _e671 = phi_4889_;
-                        let _e673 = phi_1236_;
-                        let _e675 = phi_1239_;
-                        let _e677 = phi_1241_;
-                        let _e679 = phi_1243_;
-                        if _e673 {
-                            phi_1254_ = true;
+                        let _e669 = phi_4976_;
+                        let _e671 = phi_4890_;
+                        let _e673 = phi_1234_;
+                        let _e675 = phi_1237_;
+                        let _e677 = phi_1239_;
+                        let _e679 = phi_1241_;
+                        if _e675 {
+                            phi_1252_ = true;
                         } else {
-                            phi_1254_ = (_e677 > 0u);
+                            phi_1252_ = (_e677 > 0u);
                         }
-                        let _e682 = phi_1254_;
+                        let _e682 = phi_1252_;
                         if _e682 {
-                            let _e683 = (_e675 > 0u);
+                            let _e683 = (_e673 > 0u);
                             if _e683 {
-                                if _e673 {
-                                    phi_1341_ = _e673;
-                                    phi_1342_ = _e677;
-                                    phi_1343_ = _e679;
+                                if _e675 {
+                                    phi_1339_ = _e675;
+                                    phi_1340_ = _e677;
+                                    phi_1341_ = _e679;
                                 } else {
                                     let _e684 = (_e677 - 1u);
                                     let _e685 = (_e684 % 128u);
                                     let _e686 = (_e685 < 128u);
                                     if _e686 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e688 = local_7[_e685];
                                     if _e686 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e690 = local_6[_e685];
                                     if _e686 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e692 = local_5[_e685];
                                     if _e686 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e694 = local_4[_e685];
                                     if _e686 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e696 = local_3[_e685];
                                     if _e686 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e698 = local_2[_e685];
                                     if _e686 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e703 = local_8[_e685];
                                     if _e686 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e706 = local_10[_e685];
-                                    phi_1341_ = (_e706 <= _e671);
-                                    phi_1342_ = _e684;
-                                    phi_1343_ = type_51(type_28(vec4<f32>(_e688, _e690, _e692, 0f), vec4<f32>(_e694, _e696, _e698, 0f)), _e703);
+                                    phi_1339_ = (_e706 <= _e671);
+                                    phi_1340_ = _e684;
+                                    phi_1341_ = type_51(type_28(vec4<f32>(_e688, _e690, _e692, 0f), vec4<f32>(_e694, _e696, _e698, 0f)), _e703);
                                 }
-                                let _e709 = phi_1341_;
-                                let _e711 = phi_1342_;
-                                let _e713 = phi_1343_;
+                                let _e709 = phi_1339_;
+                                let _e711 = phi_1340_;
+                                let _e713 = phi_1341_;
                                 if _e709 {
+                                    let _e717 = ((_e713.member_1 & 2147483648u) != 0u);
                                     let _e718 = (_e713.member_1 & 268435455u);
-                                    if ((_e713.member_1 & 2147483648u) != 0u) {
-                                        phi_5029_ = _e669;
-                                        phi_4972_ = _e671;
-                                        phi_1362_ = type_8(0u, ((_e713.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if _e717 {
+                                        phi_4973_ = _e669;
+                                        phi_4915_ = _e671;
+                                        phi_1360_ = type_8(0u, ((_e713.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1183 = phi_5029_;
-                                            let _e1185 = phi_4972_;
-                                            let _e1187 = phi_1362_;
-                                            if (_e1187.member < _e1187.member_1) {
-                                                phi_1363_ = type_8((_e1187.member + 1u), _e1187.member_1);
-                                                phi_1386_ = type_8(1u, _e1187.member);
+                                            let _e725 = phi_4973_;
+                                            let _e727 = phi_4915_;
+                                            let _e729 = phi_1360_;
+                                            if (_e729.member < _e729.member_1) {
+                                                phi_1361_ = type_8((_e729.member + 1u), _e729.member_1);
+                                                phi_1384_ = type_8(1u, _e729.member);
                                             } else {
-                                                phi_1363_ = _e1187;
-                                                phi_1386_ = type_8(0u, type_8().member_1);
+                                                phi_1361_ = _e729;
+                                                phi_1384_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1200 = phi_1363_;
-                                            let _e1202 = phi_1386_;
-                                            let _e1206 = (bitcast<i32>(_e1202.member) != 0i);
-                                            if _e1206 {
-                                                let _e1211 = (_e713.member.member_1.x - _e713.member.member.x);
-                                                let _e1214 = (_e713.member.member_1.y - _e713.member.member.y);
-                                                let _e1217 = (_e713.member.member_1.z - _e713.member.member.z);
-                                                let _e1219 = select(_e1214, _e1211, (_e1211 > _e1214));
-                                                let _e1221 = select(_e1217, _e1219, (_e1219 > _e1217));
-                                                let _e1223 = (_e1221 < (1024f * _e153));
-                                                if _e1223 {
-                                                    phi_1427_ = 0u;
+                                            let _e742 = phi_1361_;
+                                            let _e744 = phi_1384_;
+                                            let _e748 = (bitcast<i32>(_e744.member) != 0i);
+                                            if _e748 {
+                                                let _e753 = (_e713.member.member_1.x - _e713.member.member.x);
+                                                let _e756 = (_e713.member.member_1.y - _e713.member.member.y);
+                                                let _e759 = (_e713.member.member_1.z - _e713.member.member.z);
+                                                let _e761 = select(_e756, _e753, (_e753 > _e756));
+                                                let _e763 = select(_e759, _e761, (_e761 > _e759));
+                                                let _e765 = (_e763 < (1024f * _e153));
+                                                if _e765 {
+                                                    phi_1425_ = 0u;
                                                 } else {
-                                                    phi_1427_ = select(2u, 1u, (_e1221 < (2097152f * _e153)));
+                                                    phi_1425_ = select(2u, 1u, (_e763 < (2097152f * _e153)));
                                                 }
-                                                let _e1228 = phi_1427_;
-                                                switch bitcast<i32>(_e1228) {
+                                                let _e770 = phi_1425_;
+                                                switch bitcast<i32>(_e770) {
                                                     case 0: {
-                                                        phi_1433_ = 1u;
+                                                        phi_1431_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1433_ = 2u;
+                                                        phi_1431_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1433_ = 3u;
+                                                        phi_1431_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1433_ = u32();
+                                                        phi_1431_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1231 = phi_1433_;
-                                                switch bitcast<i32>(_e1228) {
+                                                let _e773 = phi_1431_;
+                                                switch bitcast<i32>(_e770) {
                                                     case 0: {
-                                                        phi_1443_ = 1u;
+                                                        phi_1441_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1443_ = 2u;
+                                                        phi_1441_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1443_ = 3u;
+                                                        phi_1441_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1443_ = u32();
+                                                        phi_1441_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1238 = phi_1443_;
-                                                let _e1240 = ((_e718 + (_e1202.member_1 * ((3u * _e1231) + 1u))) + (3u * _e1238));
-                                                let _e1241 = (_e1240 < _e105);
-                                                if _e1241 {
-                                                    if _e1241 {
+                                                let _e780 = phi_1441_;
+                                                let _e782 = ((_e718 + (_e744.member_1 * ((3u * _e773) + 1u))) + (3u * _e780));
+                                                let _e783 = (_e782 < _e105);
+                                                if _e783 {
+                                                    if _e783 {
                                                     } else {
-                                                        phi_5365_ = _e1185;
-                                                        phi_5207_ = true;
+                                                        phi_5214_ = _e727;
+                                                        phi_5151_ = true;
                                                         break;
                                                     }
-                                                    let _e1243 = global_5.member[_e1240];
-                                                    phi_1459_ = _e1243;
+                                                    let _e785 = global_5.member[_e782];
+                                                    phi_1457_ = _e785;
                                                 } else {
-                                                    phi_1459_ = 4294967295u;
+                                                    phi_1457_ = 4294967295u;
                                                 }
-                                                let _e1245 = phi_1459_;
-                                                if _e1223 {
-                                                    phi_1492_ = 0u;
+                                                let _e787 = phi_1457_;
+                                                if _e765 {
+                                                    phi_1490_ = 0u;
                                                 } else {
-                                                    phi_1492_ = select(2u, 1u, (_e1221 < (2097152f * _e153)));
+                                                    phi_1490_ = select(2u, 1u, (_e763 < (2097152f * _e153)));
                                                 }
-                                                let _e1250 = phi_1492_;
-                                                switch bitcast<i32>(_e1250) {
+                                                let _e792 = phi_1490_;
+                                                switch bitcast<i32>(_e792) {
                                                     case 0: {
-                                                        phi_1498_ = 1u;
+                                                        phi_1496_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1498_ = 2u;
+                                                        phi_1496_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1498_ = 3u;
+                                                        phi_1496_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1498_ = u32();
+                                                        phi_1496_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1253 = phi_1498_;
-                                                let _e1257 = (_e718 + (_e1202.member_1 * ((3u * _e1253) + 1u)));
-                                                switch bitcast<i32>(_e1250) {
+                                                let _e795 = phi_1496_;
+                                                let _e799 = (_e718 + (_e744.member_1 * ((3u * _e795) + 1u)));
+                                                switch bitcast<i32>(_e792) {
                                                     case 0: {
-                                                        let _e1532 = (_e1257 < _e105);
-                                                        if _e1532 {
-                                                            if _e1532 {
+                                                        let _e1074 = (_e799 < _e105);
+                                                        if _e1074 {
+                                                            if _e1074 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1534 = global_5.member[_e1257];
-                                                            phi_1525_ = _e1534;
+                                                            let _e1076 = global_5.member[_e799];
+                                                            phi_1523_ = _e1076;
                                                         } else {
-                                                            phi_1525_ = 0u;
+                                                            phi_1523_ = 0u;
                                                         }
-                                                        let _e1536 = phi_1525_;
-                                                        let _e1538 = ((10u * _e273) & 31u);
-                                                        let _e1548 = ((10u * _e272) & 31u);
-                                                        let _e1558 = ((10u * _e274) & 31u);
-                                                        let _e1568 = (_e1257 + 1u);
-                                                        let _e1569 = (_e1568 < _e105);
-                                                        if _e1569 {
-                                                            if _e1569 {
+                                                        let _e1078 = phi_1523_;
+                                                        let _e1080 = ((10u * _e273) & 31u);
+                                                        let _e1090 = ((10u * _e272) & 31u);
+                                                        let _e1100 = ((10u * _e274) & 31u);
+                                                        let _e1110 = (_e799 + 1u);
+                                                        let _e1111 = (_e1110 < _e105);
+                                                        if _e1111 {
+                                                            if _e1111 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1571 = global_5.member[_e1568];
-                                                            phi_1574_ = _e1571;
+                                                            let _e1113 = global_5.member[_e1110];
+                                                            phi_1572_ = _e1113;
                                                         } else {
-                                                            phi_1574_ = 0u;
+                                                            phi_1572_ = 0u;
                                                         }
-                                                        let _e1573 = phi_1574_;
-                                                        let _e1599 = (_e1257 + 2u);
-                                                        let _e1600 = (_e1599 < _e105);
-                                                        if _e1600 {
-                                                            if _e1600 {
+                                                        let _e1115 = phi_1572_;
+                                                        let _e1141 = (_e799 + 2u);
+                                                        let _e1142 = (_e1141 < _e105);
+                                                        if _e1142 {
+                                                            if _e1142 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1602 = global_5.member[_e1599];
-                                                            phi_1623_ = _e1602;
+                                                            let _e1144 = global_5.member[_e1141];
+                                                            phi_1621_ = _e1144;
                                                         } else {
-                                                            phi_1623_ = 0u;
+                                                            phi_1621_ = 0u;
                                                         }
-                                                        let _e1604 = phi_1623_;
-                                                        phi_2124_ = array<array<f32, 3>, 3>(array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | ((_e1536 >> bitcast<u32>(_e1538)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | ((_e1536 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | ((_e1536 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | ((_e1573 >> bitcast<u32>(_e1538)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | ((_e1573 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | ((_e1573 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | ((_e1604 >> bitcast<u32>(_e1538)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | ((_e1604 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | ((_e1604 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e153))));
+                                                        let _e1146 = phi_1621_;
+                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | ((_e1078 >> bitcast<u32>(_e1080)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | ((_e1078 >> bitcast<u32>(_e1090)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | ((_e1078 >> bitcast<u32>(_e1100)) & 1023u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | ((_e1115 >> bitcast<u32>(_e1080)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | ((_e1115 >> bitcast<u32>(_e1090)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | ((_e1115 >> bitcast<u32>(_e1100)) & 1023u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | ((_e1146 >> bitcast<u32>(_e1080)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | ((_e1146 >> bitcast<u32>(_e1090)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | ((_e1146 >> bitcast<u32>(_e1100)) & 1023u))) - 8388608f) * _e153))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1346 = (_e1257 < _e105);
-                                                        if _e1346 {
-                                                            if _e1346 {
+                                                        let _e888 = (_e799 < _e105);
+                                                        if _e888 {
+                                                            if _e888 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1348 = global_5.member[_e1257];
-                                                            phi_1672_ = _e1348;
+                                                            let _e890 = global_5.member[_e799];
+                                                            phi_1670_ = _e890;
                                                         } else {
-                                                            phi_1672_ = 0u;
+                                                            phi_1670_ = 0u;
                                                         }
-                                                        let _e1350 = phi_1672_;
-                                                        let _e1351 = (_e1257 + 1u);
-                                                        let _e1352 = (_e1351 < _e105);
-                                                        if _e1352 {
-                                                            if _e1352 {
+                                                        let _e892 = phi_1670_;
+                                                        let _e893 = (_e799 + 1u);
+                                                        let _e894 = (_e893 < _e105);
+                                                        if _e894 {
+                                                            if _e894 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1354 = global_5.member[_e1351];
-                                                            phi_1687_ = _e1354;
+                                                            let _e896 = global_5.member[_e893];
+                                                            phi_1685_ = _e896;
                                                         } else {
-                                                            phi_1687_ = 0u;
+                                                            phi_1685_ = 0u;
                                                         }
-                                                        let _e1356 = phi_1687_;
-                                                        let _e1357 = (_e273 == 1u);
-                                                        if _e1357 {
-                                                            phi_1697_ = ((_e1350 >> bitcast<u32>(21i)) | (_e1356 << bitcast<u32>(11i)));
+                                                        let _e898 = phi_1685_;
+                                                        let _e899 = (_e273 == 1u);
+                                                        if _e899 {
+                                                            phi_1695_ = ((_e892 >> bitcast<u32>(21i)) | (_e898 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1697_ = (_e1356 >> bitcast<u32>(10i));
+                                                            phi_1695_ = (_e898 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1366 = phi_1697_;
-                                                        let _e1374 = (_e272 == 1u);
-                                                        if _e1374 {
-                                                            phi_1718_ = ((_e1350 >> bitcast<u32>(21i)) | (_e1356 << bitcast<u32>(11i)));
+                                                        let _e908 = phi_1695_;
+                                                        let _e916 = (_e272 == 1u);
+                                                        if _e916 {
+                                                            phi_1716_ = ((_e892 >> bitcast<u32>(21i)) | (_e898 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1718_ = (_e1356 >> bitcast<u32>(10i));
+                                                            phi_1716_ = (_e898 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1383 = phi_1718_;
-                                                        let _e1391 = (_e274 == 1u);
-                                                        if _e1391 {
-                                                            phi_1739_ = ((_e1350 >> bitcast<u32>(21i)) | (_e1356 << bitcast<u32>(11i)));
+                                                        let _e925 = phi_1716_;
+                                                        let _e933 = (_e274 == 1u);
+                                                        if _e933 {
+                                                            phi_1737_ = ((_e892 >> bitcast<u32>(21i)) | (_e898 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1739_ = (_e1356 >> bitcast<u32>(10i));
+                                                            phi_1737_ = (_e898 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1400 = phi_1739_;
-                                                        let _e1409 = (_e1257 + 2u);
-                                                        let _e1410 = (_e1409 < _e105);
-                                                        if _e1410 {
-                                                            if _e1410 {
+                                                        let _e942 = phi_1737_;
+                                                        let _e951 = (_e799 + 2u);
+                                                        let _e952 = (_e951 < _e105);
+                                                        if _e952 {
+                                                            if _e952 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1412 = global_5.member[_e1409];
-                                                            phi_1769_ = _e1412;
+                                                            let _e954 = global_5.member[_e951];
+                                                            phi_1767_ = _e954;
                                                         } else {
-                                                            phi_1769_ = 0u;
+                                                            phi_1767_ = 0u;
                                                         }
-                                                        let _e1414 = phi_1769_;
-                                                        let _e1415 = (_e1257 + 3u);
-                                                        let _e1416 = (_e1415 < _e105);
-                                                        if _e1416 {
-                                                            if _e1416 {
+                                                        let _e956 = phi_1767_;
+                                                        let _e957 = (_e799 + 3u);
+                                                        let _e958 = (_e957 < _e105);
+                                                        if _e958 {
+                                                            if _e958 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1418 = global_5.member[_e1415];
-                                                            phi_1784_ = _e1418;
+                                                            let _e960 = global_5.member[_e957];
+                                                            phi_1782_ = _e960;
                                                         } else {
-                                                            phi_1784_ = 0u;
+                                                            phi_1782_ = 0u;
                                                         }
-                                                        let _e1420 = phi_1784_;
-                                                        if _e1357 {
-                                                            phi_1794_ = ((_e1414 >> bitcast<u32>(21i)) | (_e1420 << bitcast<u32>(11i)));
+                                                        let _e962 = phi_1782_;
+                                                        if _e899 {
+                                                            phi_1792_ = ((_e956 >> bitcast<u32>(21i)) | (_e962 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1794_ = (_e1420 >> bitcast<u32>(10i));
+                                                            phi_1792_ = (_e962 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1429 = phi_1794_;
-                                                        if _e1374 {
-                                                            phi_1815_ = ((_e1414 >> bitcast<u32>(21i)) | (_e1420 << bitcast<u32>(11i)));
+                                                        let _e971 = phi_1792_;
+                                                        if _e916 {
+                                                            phi_1813_ = ((_e956 >> bitcast<u32>(21i)) | (_e962 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1815_ = (_e1420 >> bitcast<u32>(10i));
+                                                            phi_1813_ = (_e962 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1445 = phi_1815_;
-                                                        if _e1391 {
-                                                            phi_1836_ = ((_e1414 >> bitcast<u32>(21i)) | (_e1420 << bitcast<u32>(11i)));
+                                                        let _e987 = phi_1813_;
+                                                        if _e933 {
+                                                            phi_1834_ = ((_e956 >> bitcast<u32>(21i)) | (_e962 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1836_ = (_e1420 >> bitcast<u32>(10i));
+                                                            phi_1834_ = (_e962 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1461 = phi_1836_;
-                                                        let _e1470 = (_e1257 + 4u);
-                                                        let _e1471 = (_e1470 < _e105);
-                                                        if _e1471 {
-                                                            if _e1471 {
+                                                        let _e1003 = phi_1834_;
+                                                        let _e1012 = (_e799 + 4u);
+                                                        let _e1013 = (_e1012 < _e105);
+                                                        if _e1013 {
+                                                            if _e1013 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1473 = global_5.member[_e1470];
-                                                            phi_1866_ = _e1473;
+                                                            let _e1015 = global_5.member[_e1012];
+                                                            phi_1864_ = _e1015;
                                                         } else {
-                                                            phi_1866_ = 0u;
+                                                            phi_1864_ = 0u;
                                                         }
-                                                        let _e1475 = phi_1866_;
-                                                        let _e1476 = (_e1257 + 5u);
-                                                        let _e1477 = (_e1476 < _e105);
-                                                        if _e1477 {
-                                                            if _e1477 {
+                                                        let _e1017 = phi_1864_;
+                                                        let _e1018 = (_e799 + 5u);
+                                                        let _e1019 = (_e1018 < _e105);
+                                                        if _e1019 {
+                                                            if _e1019 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1479 = global_5.member[_e1476];
-                                                            phi_1881_ = _e1479;
+                                                            let _e1021 = global_5.member[_e1018];
+                                                            phi_1879_ = _e1021;
                                                         } else {
-                                                            phi_1881_ = 0u;
+                                                            phi_1879_ = 0u;
                                                         }
-                                                        let _e1481 = phi_1881_;
-                                                        if _e1357 {
-                                                            phi_1891_ = ((_e1475 >> bitcast<u32>(21i)) | (_e1481 << bitcast<u32>(11i)));
+                                                        let _e1023 = phi_1879_;
+                                                        if _e899 {
+                                                            phi_1889_ = ((_e1017 >> bitcast<u32>(21i)) | (_e1023 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1891_ = (_e1481 >> bitcast<u32>(10i));
+                                                            phi_1889_ = (_e1023 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1490 = phi_1891_;
-                                                        if _e1374 {
-                                                            phi_1912_ = ((_e1475 >> bitcast<u32>(21i)) | (_e1481 << bitcast<u32>(11i)));
+                                                        let _e1032 = phi_1889_;
+                                                        if _e916 {
+                                                            phi_1910_ = ((_e1017 >> bitcast<u32>(21i)) | (_e1023 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1912_ = (_e1481 >> bitcast<u32>(10i));
+                                                            phi_1910_ = (_e1023 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1506 = phi_1912_;
-                                                        if _e1391 {
-                                                            phi_1933_ = ((_e1475 >> bitcast<u32>(21i)) | (_e1481 << bitcast<u32>(11i)));
+                                                        let _e1048 = phi_1910_;
+                                                        if _e933 {
+                                                            phi_1931_ = ((_e1017 >> bitcast<u32>(21i)) | (_e1023 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1933_ = (_e1481 >> bitcast<u32>(10i));
+                                                            phi_1931_ = (_e1023 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1522 = phi_1933_;
-                                                        phi_2124_ = array<array<f32, 3>, 3>(array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1366, _e1350, _e312) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1383, _e1350, _e381) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1400, _e1350, _e449) & 2097151u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1429, _e1414, _e312) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1445, _e1414, _e381) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1461, _e1414, _e449) & 2097151u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1490, _e1475, _e312) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1506, _e1475, _e381) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1522, _e1475, _e449) & 2097151u))) - 8388608f) * _e153))));
+                                                        let _e1064 = phi_1931_;
+                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | (select(_e908, _e892, _e312) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | (select(_e925, _e892, _e381) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | (select(_e942, _e892, _e449) & 2097151u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | (select(_e971, _e956, _e312) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | (select(_e987, _e956, _e381) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1003, _e956, _e449) & 2097151u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1032, _e1017, _e312) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1048, _e1017, _e381) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1064, _e1017, _e449) & 2097151u))) - 8388608f) * _e153))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1259 = (_e1257 + _e273);
-                                                        let _e1260 = (_e1259 < _e105);
-                                                        if _e1260 {
-                                                            if _e1260 {
+                                                        let _e801 = (_e799 + _e273);
+                                                        let _e802 = (_e801 < _e105);
+                                                        if _e802 {
+                                                            if _e802 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1262 = global_5.member[_e1259];
-                                                            phi_1964_ = _e1262;
+                                                            let _e804 = global_5.member[_e801];
+                                                            phi_1962_ = _e804;
                                                         } else {
-                                                            phi_1964_ = 0u;
+                                                            phi_1962_ = 0u;
                                                         }
-                                                        let _e1264 = phi_1964_;
-                                                        let _e1268 = (_e1257 + _e272);
-                                                        let _e1269 = (_e1268 < _e105);
-                                                        if _e1269 {
-                                                            if _e1269 {
+                                                        let _e806 = phi_1962_;
+                                                        let _e810 = (_e799 + _e272);
+                                                        let _e811 = (_e810 < _e105);
+                                                        if _e811 {
+                                                            if _e811 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1271 = global_5.member[_e1268];
-                                                            phi_1982_ = _e1271;
+                                                            let _e813 = global_5.member[_e810];
+                                                            phi_1980_ = _e813;
                                                         } else {
-                                                            phi_1982_ = 0u;
+                                                            phi_1980_ = 0u;
                                                         }
-                                                        let _e1273 = phi_1982_;
-                                                        let _e1277 = (_e1257 + _e274);
-                                                        let _e1278 = (_e1277 < _e105);
-                                                        if _e1278 {
-                                                            if _e1278 {
+                                                        let _e815 = phi_1980_;
+                                                        let _e819 = (_e799 + _e274);
+                                                        let _e820 = (_e819 < _e105);
+                                                        if _e820 {
+                                                            if _e820 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1280 = global_5.member[_e1277];
-                                                            phi_2000_ = _e1280;
+                                                            let _e822 = global_5.member[_e819];
+                                                            phi_1998_ = _e822;
                                                         } else {
-                                                            phi_2000_ = 0u;
+                                                            phi_1998_ = 0u;
                                                         }
-                                                        let _e1282 = phi_2000_;
-                                                        let _e1287 = (_e1257 + 3u);
-                                                        let _e1288 = (_e1287 + _e273);
-                                                        let _e1289 = (_e1288 < _e105);
-                                                        if _e1289 {
-                                                            if _e1289 {
+                                                        let _e824 = phi_1998_;
+                                                        let _e829 = (_e799 + 3u);
+                                                        let _e830 = (_e829 + _e273);
+                                                        let _e831 = (_e830 < _e105);
+                                                        if _e831 {
+                                                            if _e831 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1291 = global_5.member[_e1288];
-                                                            phi_2023_ = _e1291;
+                                                            let _e833 = global_5.member[_e830];
+                                                            phi_2021_ = _e833;
                                                         } else {
-                                                            phi_2023_ = 0u;
+                                                            phi_2021_ = 0u;
                                                         }
-                                                        let _e1293 = phi_2023_;
-                                                        let _e1297 = (_e1287 + _e272);
-                                                        let _e1298 = (_e1297 < _e105);
-                                                        if _e1298 {
-                                                            if _e1298 {
+                                                        let _e835 = phi_2021_;
+                                                        let _e839 = (_e829 + _e272);
+                                                        let _e840 = (_e839 < _e105);
+                                                        if _e840 {
+                                                            if _e840 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1300 = global_5.member[_e1297];
-                                                            phi_2041_ = _e1300;
+                                                            let _e842 = global_5.member[_e839];
+                                                            phi_2039_ = _e842;
                                                         } else {
-                                                            phi_2041_ = 0u;
+                                                            phi_2039_ = 0u;
                                                         }
-                                                        let _e1302 = phi_2041_;
-                                                        let _e1306 = (_e1287 + _e274);
-                                                        let _e1307 = (_e1306 < _e105);
-                                                        if _e1307 {
-                                                            if _e1307 {
+                                                        let _e844 = phi_2039_;
+                                                        let _e848 = (_e829 + _e274);
+                                                        let _e849 = (_e848 < _e105);
+                                                        if _e849 {
+                                                            if _e849 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1309 = global_5.member[_e1306];
-                                                            phi_2059_ = _e1309;
+                                                            let _e851 = global_5.member[_e848];
+                                                            phi_2057_ = _e851;
                                                         } else {
-                                                            phi_2059_ = 0u;
+                                                            phi_2057_ = 0u;
                                                         }
-                                                        let _e1311 = phi_2059_;
-                                                        let _e1316 = (_e1257 + 6u);
-                                                        let _e1317 = (_e1316 + _e273);
-                                                        let _e1318 = (_e1317 < _e105);
-                                                        if _e1318 {
-                                                            if _e1318 {
+                                                        let _e853 = phi_2057_;
+                                                        let _e858 = (_e799 + 6u);
+                                                        let _e859 = (_e858 + _e273);
+                                                        let _e860 = (_e859 < _e105);
+                                                        if _e860 {
+                                                            if _e860 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1320 = global_5.member[_e1317];
-                                                            phi_2082_ = _e1320;
+                                                            let _e862 = global_5.member[_e859];
+                                                            phi_2080_ = _e862;
                                                         } else {
-                                                            phi_2082_ = 0u;
+                                                            phi_2080_ = 0u;
                                                         }
-                                                        let _e1322 = phi_2082_;
-                                                        let _e1326 = (_e1316 + _e272);
-                                                        let _e1327 = (_e1326 < _e105);
-                                                        if _e1327 {
-                                                            if _e1327 {
+                                                        let _e864 = phi_2080_;
+                                                        let _e868 = (_e858 + _e272);
+                                                        let _e869 = (_e868 < _e105);
+                                                        if _e869 {
+                                                            if _e869 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1329 = global_5.member[_e1326];
-                                                            phi_2100_ = _e1329;
+                                                            let _e871 = global_5.member[_e868];
+                                                            phi_2098_ = _e871;
                                                         } else {
-                                                            phi_2100_ = 0u;
+                                                            phi_2098_ = 0u;
                                                         }
-                                                        let _e1331 = phi_2100_;
-                                                        let _e1335 = (_e1316 + _e274);
-                                                        let _e1336 = (_e1335 < _e105);
-                                                        if _e1336 {
-                                                            if _e1336 {
+                                                        let _e873 = phi_2098_;
+                                                        let _e877 = (_e858 + _e274);
+                                                        let _e878 = (_e877 < _e105);
+                                                        if _e878 {
+                                                            if _e878 {
                                                             } else {
-                                                                phi_5365_ = _e1185;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e727;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1338 = global_5.member[_e1335];
-                                                            phi_2118_ = _e1338;
+                                                            let _e880 = global_5.member[_e877];
+                                                            phi_2116_ = _e880;
                                                         } else {
-                                                            phi_2118_ = 0u;
+                                                            phi_2116_ = 0u;
                                                         }
-                                                        let _e1340 = phi_2118_;
-                                                        phi_2124_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1264)) * _e153), (f32(bitcast<i32>(_e1273)) * _e153), (f32(bitcast<i32>(_e1282)) * _e153)), array<f32, 3>((f32(bitcast<i32>(_e1293)) * _e153), (f32(bitcast<i32>(_e1302)) * _e153), (f32(bitcast<i32>(_e1311)) * _e153)), array<f32, 3>((f32(bitcast<i32>(_e1322)) * _e153), (f32(bitcast<i32>(_e1331)) * _e153), (f32(bitcast<i32>(_e1340)) * _e153)));
+                                                        let _e882 = phi_2116_;
+                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e806)) * _e153), (f32(bitcast<i32>(_e815)) * _e153), (f32(bitcast<i32>(_e824)) * _e153)), array<f32, 3>((f32(bitcast<i32>(_e835)) * _e153), (f32(bitcast<i32>(_e844)) * _e153), (f32(bitcast<i32>(_e853)) * _e153)), array<f32, 3>((f32(bitcast<i32>(_e864)) * _e153), (f32(bitcast<i32>(_e873)) * _e153), (f32(bitcast<i32>(_e882)) * _e153)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2124_ = array<array<f32, 3>, 3>();
+                                                        phi_2122_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1632 = phi_2124_;
-                                                let _e1639 = (_e1632[0][2] - _e474);
-                                                let _e1642 = (((_e1632[0][0] - _e337) * _e513) - (_e1639 * _e377));
-                                                let _e1645 = (((_e1632[0][1] - _e406) * _e513) - (_e1639 * _e445));
-                                                let _e1652 = (_e1632[1][2] - _e474);
-                                                let _e1655 = (((_e1632[1][0] - _e337) * _e513) - (_e1652 * _e377));
-                                                let _e1658 = (((_e1632[1][1] - _e406) * _e513) - (_e1652 * _e445));
-                                                let _e1665 = (_e1632[2][2] - _e474);
-                                                let _e1668 = (((_e1632[2][0] - _e337) * _e513) - (_e1665 * _e377));
-                                                let _e1671 = (((_e1632[2][1] - _e406) * _e513) - (_e1665 * _e445));
-                                                let _e1672 = (_e1668 * _e1658);
-                                                let _e1673 = (_e1671 * _e1655);
-                                                let _e1674 = (_e1642 * _e1671);
-                                                let _e1675 = (_e1645 * _e1668);
-                                                let _e1676 = (_e1655 * _e1645);
-                                                let _e1677 = (_e1658 * _e1642);
-                                                let _e1682 = (((_e1672 >= _e1673) && (_e1674 >= _e1675)) && (_e1676 >= _e1677));
-                                                if (_e1682 || (((_e1672 <= _e1673) && (_e1674 <= _e1675)) && (_e1676 <= _e1677))) {
-                                                    let _e1689 = select(-1f, 1f, _e1682);
-                                                    let _e1691 = ((_e1672 - _e1673) * _e1689);
-                                                    let _e1693 = select(0f, _e1691, (_e1691 > 0f));
-                                                    let _e1695 = ((_e1674 - _e1675) * _e1689);
-                                                    let _e1697 = select(0f, _e1695, (_e1695 > 0f));
-                                                    let _e1699 = ((_e1676 - _e1677) * _e1689);
-                                                    let _e1701 = select(0f, _e1699, (_e1699 > 0f));
-                                                    let _e1703 = ((_e1693 + _e1697) + _e1701);
-                                                    if (_e1703 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_3009_ = type_24();
-                                                        phi_3010_ = true;
-                                                        phi_3011_ = false;
+                                                let _e1174 = phi_2122_;
+                                                let _e1181 = (_e1174[0][2] - _e474);
+                                                let _e1184 = (((_e1174[0][0] - _e337) * _e513) - (_e1181 * _e377));
+                                                let _e1187 = (((_e1174[0][1] - _e406) * _e513) - (_e1181 * _e445));
+                                                let _e1194 = (_e1174[1][2] - _e474);
+                                                let _e1197 = (((_e1174[1][0] - _e337) * _e513) - (_e1194 * _e377));
+                                                let _e1200 = (((_e1174[1][1] - _e406) * _e513) - (_e1194 * _e445));
+                                                let _e1207 = (_e1174[2][2] - _e474);
+                                                let _e1210 = (((_e1174[2][0] - _e337) * _e513) - (_e1207 * _e377));
+                                                let _e1213 = (((_e1174[2][1] - _e406) * _e513) - (_e1207 * _e445));
+                                                let _e1214 = (_e1210 * _e1200);
+                                                let _e1215 = (_e1213 * _e1197);
+                                                let _e1216 = (_e1184 * _e1213);
+                                                let _e1217 = (_e1187 * _e1210);
+                                                let _e1218 = (_e1197 * _e1187);
+                                                let _e1219 = (_e1200 * _e1184);
+                                                let _e1224 = (((_e1214 >= _e1215) && (_e1216 >= _e1217)) && (_e1218 >= _e1219));
+                                                if (_e1224 || (((_e1214 <= _e1215) && (_e1216 <= _e1217)) && (_e1218 <= _e1219))) {
+                                                    let _e1231 = select(-1f, 1f, _e1224);
+                                                    let _e1233 = ((_e1214 - _e1215) * _e1231);
+                                                    let _e1235 = select(0f, _e1233, (_e1233 > 0f));
+                                                    let _e1237 = ((_e1216 - _e1217) * _e1231);
+                                                    let _e1239 = select(0f, _e1237, (_e1237 > 0f));
+                                                    let _e1241 = ((_e1218 - _e1219) * _e1231);
+                                                    let _e1243 = select(0f, _e1241, (_e1241 > 0f));
+                                                    let _e1245 = ((_e1235 + _e1239) + _e1243);
+                                                    if (_e1245 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_3007_ = type_24();
+                                                        phi_3008_ = true;
+                                                        phi_3009_ = false;
                                                     } else {
-                                                        let _e1706 = select(_e1655, _e1642, (_e1642 < _e1655));
-                                                        if (select(_e1668, _e1706, (_e1706 < _e1668)) > 0f) {
-                                                            phi_2277_ = true;
+                                                        let _e1248 = select(_e1197, _e1184, (_e1184 < _e1197));
+                                                        if (select(_e1210, _e1248, (_e1248 < _e1210)) > 0f) {
+                                                            phi_2275_ = true;
                                                         } else {
-                                                            let _e1711 = select(_e1655, _e1642, (_e1642 > _e1655));
-                                                            phi_2277_ = (select(_e1668, _e1711, (_e1711 > _e1668)) < 0f);
+                                                            let _e1253 = select(_e1197, _e1184, (_e1184 > _e1197));
+                                                            phi_2275_ = (select(_e1210, _e1253, (_e1253 > _e1210)) < 0f);
                                                         }
-                                                        let _e1716 = phi_2277_;
-                                                        if _e1716 {
-                                                            phi_3006_ = type_24();
-                                                            phi_3007_ = true;
-                                                            phi_3008_ = false;
+                                                        let _e1258 = phi_2275_;
+                                                        if _e1258 {
+                                                            phi_3004_ = type_24();
+                                                            phi_3005_ = true;
+                                                            phi_3006_ = false;
                                                         } else {
-                                                            let _e1718 = select(_e1658, _e1645, (_e1645 < _e1658));
-                                                            if (select(_e1671, _e1718, (_e1718 < _e1671)) > 0f) {
-                                                                phi_2306_ = true;
+                                                            let _e1260 = select(_e1200, _e1187, (_e1187 < _e1200));
+                                                            if (select(_e1213, _e1260, (_e1260 < _e1213)) > 0f) {
+                                                                phi_2304_ = true;
                                                             } else {
-                                                                let _e1723 = select(_e1658, _e1645, (_e1645 > _e1658));
-                                                                phi_2306_ = (select(_e1671, _e1723, (_e1723 > _e1671)) < 0f);
+                                                                let _e1265 = select(_e1200, _e1187, (_e1187 > _e1200));
+                                                                phi_2304_ = (select(_e1213, _e1265, (_e1265 > _e1213)) < 0f);
                                                             }
-                                                            let _e1728 = phi_2306_;
-                                                            if _e1728 {
-                                                                phi_3004_ = type_24();
-                                                                phi_3005_ = false;
+                                                            let _e1270 = phi_2304_;
+                                                            if _e1270 {
+                                                                phi_3002_ = type_24();
+                                                                phi_3003_ = false;
                                                             } else {
-                                                                let _e1730 = select(_e1632[1][0], _e1632[0][0], (_e1632[0][0] < _e1632[1][0]));
-                                                                let _e1734 = select(_e1632[1][0], _e1632[0][0], (_e1632[0][0] > _e1632[1][0]));
-                                                                let _e1738 = select(_e1632[1][1], _e1632[0][1], (_e1632[0][1] < _e1632[1][1]));
-                                                                let _e1742 = select(_e1632[1][1], _e1632[0][1], (_e1632[0][1] > _e1632[1][1]));
-                                                                let _e1746 = select(_e1632[1][2], _e1632[0][2], (_e1632[0][2] < _e1632[1][2]));
-                                                                let _e1750 = select(_e1632[1][2], _e1632[0][2], (_e1632[0][2] > _e1632[1][2]));
-                                                                let _e1755 = ((select(_e1632[2][0], _e1730, (_e1730 < _e1632[2][0])) - _e375) * _e380);
-                                                                let _e1756 = ((select(_e1632[2][0], _e1734, (_e1734 > _e1632[2][0])) - _e376) * _e380);
-                                                                let _e1759 = ((select(_e1632[2][1], _e1738, (_e1738 < _e1632[2][1])) - _e443) * _e448);
-                                                                let _e1760 = ((select(_e1632[2][1], _e1742, (_e1742 > _e1632[2][1])) - _e444) * _e448);
-                                                                let _e1763 = ((select(_e1632[2][2], _e1746, (_e1746 < _e1632[2][2])) - _e511) * _e516);
-                                                                let _e1764 = ((select(_e1632[2][2], _e1750, (_e1750 > _e1632[2][2])) - _e512) * _e516);
-                                                                let _e1766 = select(_e1764, _e1763, (_e1763 < _e1764));
-                                                                let _e1768 = select(_e1764, _e1763, (_e1763 > _e1764));
-                                                                let _e1770 = select(_e1756, _e1755, (_e1755 < _e1756));
-                                                                let _e1772 = select(_e1760, _e1759, (_e1759 < _e1760));
-                                                                let _e1774 = select(_e1772, _e1770, (_e1770 > _e1772));
-                                                                let _e1776 = select(_e1766, _e1774, (_e1774 > _e1766));
-                                                                let _e1778 = select(_e1756, _e1755, (_e1755 > _e1756));
-                                                                let _e1780 = select(_e1760, _e1759, (_e1759 > _e1760));
-                                                                let _e1782 = select(_e1780, _e1778, (_e1778 < _e1780));
-                                                                let _e1784 = select(_e1768, _e1782, (_e1782 < _e1768));
-                                                                let _e1785 = -(_e1766);
-                                                                let _e1791 = select(_e628, _e1776, (_e1776 > _e628));
-                                                                if (_e1791 > (_e1784 + (select(_e1785, _e1768, (_e1768 > _e1785)) * 0.0000019073523f))) {
-                                                                    phi_2999_ = type_24();
-                                                                    phi_3000_ = true;
+                                                                let _e1272 = select(_e1174[1][0], _e1174[0][0], (_e1174[0][0] < _e1174[1][0]));
+                                                                let _e1276 = select(_e1174[1][0], _e1174[0][0], (_e1174[0][0] > _e1174[1][0]));
+                                                                let _e1280 = select(_e1174[1][1], _e1174[0][1], (_e1174[0][1] < _e1174[1][1]));
+                                                                let _e1284 = select(_e1174[1][1], _e1174[0][1], (_e1174[0][1] > _e1174[1][1]));
+                                                                let _e1288 = select(_e1174[1][2], _e1174[0][2], (_e1174[0][2] < _e1174[1][2]));
+                                                                let _e1292 = select(_e1174[1][2], _e1174[0][2], (_e1174[0][2] > _e1174[1][2]));
+                                                                let _e1297 = ((select(_e1174[2][0], _e1272, (_e1272 < _e1174[2][0])) - _e375) * _e380);
+                                                                let _e1298 = ((select(_e1174[2][0], _e1276, (_e1276 > _e1174[2][0])) - _e376) * _e380);
+                                                                let _e1301 = ((select(_e1174[2][1], _e1280, (_e1280 < _e1174[2][1])) - _e443) * _e448);
+                                                                let _e1302 = ((select(_e1174[2][1], _e1284, (_e1284 > _e1174[2][1])) - _e444) * _e448);
+                                                                let _e1305 = ((select(_e1174[2][2], _e1288, (_e1288 < _e1174[2][2])) - _e511) * _e516);
+                                                                let _e1306 = ((select(_e1174[2][2], _e1292, (_e1292 > _e1174[2][2])) - _e512) * _e516);
+                                                                let _e1308 = select(_e1306, _e1305, (_e1305 < _e1306));
+                                                                let _e1310 = select(_e1306, _e1305, (_e1305 > _e1306));
+                                                                let _e1312 = select(_e1298, _e1297, (_e1297 < _e1298));
+                                                                let _e1314 = select(_e1302, _e1301, (_e1301 < _e1302));
+                                                                let _e1316 = select(_e1314, _e1312, (_e1312 > _e1314));
+                                                                let _e1318 = select(_e1308, _e1316, (_e1316 > _e1308));
+                                                                let _e1320 = select(_e1298, _e1297, (_e1297 > _e1298));
+                                                                let _e1322 = select(_e1302, _e1301, (_e1301 > _e1302));
+                                                                let _e1324 = select(_e1322, _e1320, (_e1320 < _e1322));
+                                                                let _e1326 = select(_e1310, _e1324, (_e1324 < _e1310));
+                                                                let _e1327 = -(_e1308);
+                                                                let _e1333 = select(_e628, _e1318, (_e1318 > _e628));
+                                                                if (_e1333 > (_e1326 + (select(_e1327, _e1310, (_e1310 > _e1327)) * 0.0000019073523f))) {
+                                                                    phi_2997_ = type_24();
+                                                                    phi_2998_ = true;
                                                                 } else {
-                                                                    let _e1793 = (_e1791 > _e1185);
-                                                                    if _e1793 {
-                                                                        phi_2998_ = type_24();
+                                                                    let _e1335 = (_e1333 > _e727);
+                                                                    if _e1335 {
+                                                                        phi_2996_ = type_24();
                                                                     } else {
-                                                                        let _e1794 = vec3<f32>(_e1632[0][0], _e1632[0][1], _e1632[0][2]);
-                                                                        let _e1795 = vec3<f32>(_e1632[1][0], _e1632[1][1], _e1632[1][2]);
-                                                                        let _e1796 = vec3<f32>(_e1632[2][0], _e1632[2][1], _e1632[2][2]);
-                                                                        let _e1797 = (_e1632[1][0] - _e1632[0][0]);
-                                                                        let _e1798 = (_e1632[1][1] - _e1632[0][1]);
-                                                                        let _e1799 = (_e1632[1][2] - _e1632[0][2]);
-                                                                        let _e1800 = vec3<f32>(_e1797, _e1798, _e1799);
-                                                                        let _e1801 = (_e1632[2][0] - _e1632[1][0]);
-                                                                        let _e1802 = (_e1632[2][1] - _e1632[1][1]);
-                                                                        let _e1803 = (_e1632[2][2] - _e1632[1][2]);
-                                                                        let _e1804 = vec3<f32>(_e1801, _e1802, _e1803);
-                                                                        let _e1805 = (_e1632[0][0] - _e1632[2][0]);
-                                                                        let _e1806 = (_e1632[0][1] - _e1632[2][1]);
-                                                                        let _e1807 = (_e1632[0][2] - _e1632[2][2]);
-                                                                        let _e1808 = vec3<f32>(_e1805, _e1806, _e1807);
-                                                                        let _e1811 = bitcast<f32>((bitcast<u32>(_e1797) & 2147483647u));
-                                                                        let _e1814 = bitcast<f32>((bitcast<u32>(_e1798) & 2147483647u));
-                                                                        let _e1816 = select(_e1814, _e1811, (_e1811 > _e1814));
-                                                                        let _e1819 = bitcast<f32>((bitcast<u32>(_e1799) & 2147483647u));
-                                                                        let _e1821 = select(_e1819, _e1816, (_e1816 > _e1819));
-                                                                        let _e1824 = bitcast<f32>((bitcast<u32>(_e1801) & 2147483647u));
-                                                                        let _e1827 = bitcast<f32>((bitcast<u32>(_e1802) & 2147483647u));
-                                                                        let _e1829 = select(_e1827, _e1824, (_e1824 > _e1827));
-                                                                        let _e1832 = bitcast<f32>((bitcast<u32>(_e1803) & 2147483647u));
-                                                                        let _e1834 = select(_e1832, _e1829, (_e1829 > _e1832));
-                                                                        let _e1837 = bitcast<f32>((bitcast<u32>(_e1805) & 2147483647u));
-                                                                        let _e1840 = bitcast<f32>((bitcast<u32>(_e1806) & 2147483647u));
-                                                                        let _e1842 = select(_e1840, _e1837, (_e1837 > _e1840));
-                                                                        let _e1845 = bitcast<f32>((bitcast<u32>(_e1807) & 2147483647u));
-                                                                        let _e1847 = select(_e1845, _e1842, (_e1842 > _e1845));
-                                                                        let _e1849 = select(_e1834, _e1821, (_e1821 > _e1834));
-                                                                        let _e1851 = select(_e1847, _e1849, (_e1849 > _e1847));
-                                                                        if (_e1821 == _e1851) {
-                                                                            phi_2725_ = _e1658;
-                                                                            phi_2726_ = _e1655;
-                                                                            phi_2727_ = _e1645;
-                                                                            phi_2728_ = _e1642;
-                                                                            phi_2729_ = _e1794;
-                                                                            phi_2730_ = _e1808;
-                                                                            phi_2731_ = _e1804;
-                                                                            phi_2732_ = _e1800;
+                                                                        let _e1336 = vec3<f32>(_e1174[0][0], _e1174[0][1], _e1174[0][2]);
+                                                                        let _e1337 = vec3<f32>(_e1174[1][0], _e1174[1][1], _e1174[1][2]);
+                                                                        let _e1338 = vec3<f32>(_e1174[2][0], _e1174[2][1], _e1174[2][2]);
+                                                                        let _e1339 = (_e1174[1][0] - _e1174[0][0]);
+                                                                        let _e1340 = (_e1174[1][1] - _e1174[0][1]);
+                                                                        let _e1341 = (_e1174[1][2] - _e1174[0][2]);
+                                                                        let _e1342 = vec3<f32>(_e1339, _e1340, _e1341);
+                                                                        let _e1343 = (_e1174[2][0] - _e1174[1][0]);
+                                                                        let _e1344 = (_e1174[2][1] - _e1174[1][1]);
+                                                                        let _e1345 = (_e1174[2][2] - _e1174[1][2]);
+                                                                        let _e1346 = vec3<f32>(_e1343, _e1344, _e1345);
+                                                                        let _e1347 = (_e1174[0][0] - _e1174[2][0]);
+                                                                        let _e1348 = (_e1174[0][1] - _e1174[2][1]);
+                                                                        let _e1349 = (_e1174[0][2] - _e1174[2][2]);
+                                                                        let _e1350 = vec3<f32>(_e1347, _e1348, _e1349);
+                                                                        let _e1353 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
+                                                                        let _e1356 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
+                                                                        let _e1358 = select(_e1356, _e1353, (_e1353 > _e1356));
+                                                                        let _e1361 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
+                                                                        let _e1363 = select(_e1361, _e1358, (_e1358 > _e1361));
+                                                                        let _e1366 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
+                                                                        let _e1369 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
+                                                                        let _e1371 = select(_e1369, _e1366, (_e1366 > _e1369));
+                                                                        let _e1374 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
+                                                                        let _e1376 = select(_e1374, _e1371, (_e1371 > _e1374));
+                                                                        let _e1379 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
+                                                                        let _e1382 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
+                                                                        let _e1384 = select(_e1382, _e1379, (_e1379 > _e1382));
+                                                                        let _e1387 = bitcast<f32>((bitcast<u32>(_e1349) & 2147483647u));
+                                                                        let _e1389 = select(_e1387, _e1384, (_e1384 > _e1387));
+                                                                        let _e1391 = select(_e1376, _e1363, (_e1363 > _e1376));
+                                                                        let _e1393 = select(_e1389, _e1391, (_e1391 > _e1389));
+                                                                        if (_e1363 == _e1393) {
+                                                                            phi_2723_ = _e1200;
+                                                                            phi_2724_ = _e1197;
+                                                                            phi_2725_ = _e1187;
+                                                                            phi_2726_ = _e1184;
+                                                                            phi_2727_ = _e1336;
+                                                                            phi_2728_ = _e1350;
+                                                                            phi_2729_ = _e1346;
+                                                                            phi_2730_ = _e1342;
                                                                         } else {
-                                                                            let _e1853 = (_e1834 == _e1851);
-                                                                            let _e1858 = vec3(_e1853);
-                                                                            phi_2725_ = select(_e1645, _e1671, _e1853);
-                                                                            phi_2726_ = select(_e1642, _e1668, _e1853);
-                                                                            phi_2727_ = select(_e1671, _e1658, _e1853);
-                                                                            phi_2728_ = select(_e1668, _e1655, _e1853);
-                                                                            phi_2729_ = select(_e1796, _e1795, _e1858);
-                                                                            phi_2730_ = select(_e1804, _e1800, _e1858);
-                                                                            phi_2731_ = select(_e1800, _e1808, _e1858);
-                                                                            phi_2732_ = select(_e1808, _e1804, _e1858);
+                                                                            let _e1395 = (_e1376 == _e1393);
+                                                                            let _e1400 = vec3(_e1395);
+                                                                            phi_2723_ = select(_e1187, _e1213, _e1395);
+                                                                            phi_2724_ = select(_e1184, _e1210, _e1395);
+                                                                            phi_2725_ = select(_e1213, _e1200, _e1395);
+                                                                            phi_2726_ = select(_e1210, _e1197, _e1395);
+                                                                            phi_2727_ = select(_e1338, _e1337, _e1400);
+                                                                            phi_2728_ = select(_e1346, _e1342, _e1400);
+                                                                            phi_2729_ = select(_e1342, _e1350, _e1400);
+                                                                            phi_2730_ = select(_e1350, _e1346, _e1400);
                                                                         }
-                                                                        let _e1864 = phi_2725_;
-                                                                        let _e1866 = phi_2726_;
-                                                                        let _e1868 = phi_2727_;
-                                                                        let _e1870 = phi_2728_;
-                                                                        let _e1872 = phi_2729_;
-                                                                        let _e1874 = phi_2730_;
-                                                                        let _e1876 = phi_2731_;
-                                                                        let _e1878 = phi_2732_;
-                                                                        let _e1885 = ((_e1876.y * _e1874.z) - (_e1874.y * _e1876.z));
-                                                                        let _e1890 = ((_e1876.z * _e1874.x) - (_e1874.z * _e1876.x));
-                                                                        let _e1893 = ((_e1876.x * _e1874.y) - (_e1874.x * _e1876.y));
-                                                                        if (_e1693 >= _e1697) {
-                                                                            phi_2769_ = select(true, false, (_e1693 >= _e1701));
+                                                                        let _e1406 = phi_2723_;
+                                                                        let _e1408 = phi_2724_;
+                                                                        let _e1410 = phi_2725_;
+                                                                        let _e1412 = phi_2726_;
+                                                                        let _e1414 = phi_2727_;
+                                                                        let _e1416 = phi_2728_;
+                                                                        let _e1418 = phi_2729_;
+                                                                        let _e1420 = phi_2730_;
+                                                                        let _e1427 = ((_e1418.y * _e1416.z) - (_e1416.y * _e1418.z));
+                                                                        let _e1432 = ((_e1418.z * _e1416.x) - (_e1416.z * _e1418.x));
+                                                                        let _e1435 = ((_e1418.x * _e1416.y) - (_e1416.x * _e1418.y));
+                                                                        if (_e1235 >= _e1239) {
+                                                                            phi_2767_ = select(true, false, (_e1235 >= _e1243));
                                                                         } else {
-                                                                            phi_2769_ = true;
+                                                                            phi_2767_ = true;
                                                                         }
-                                                                        let _e1898 = phi_2769_;
-                                                                        if _e1898 {
-                                                                            phi_2778_ = select(_e1796, _e1795, vec3((_e1697 >= _e1701)));
+                                                                        let _e1440 = phi_2767_;
+                                                                        if _e1440 {
+                                                                            phi_2776_ = select(_e1338, _e1337, vec3((_e1239 >= _e1243)));
                                                                         } else {
-                                                                            phi_2778_ = _e1794;
+                                                                            phi_2776_ = _e1336;
                                                                         }
-                                                                        let _e1903 = phi_2778_;
-                                                                        let _e1914 = (((_e1885 * (_e1903.x - _e337)) + (_e1890 * (_e1903.y - _e406))) + (_e1893 * (_e1903.z - _e474)));
-                                                                        let _e1919 = (((_e1885 * _e377) + (_e1890 * _e445)) + (_e1893 * _e513));
-                                                                        let _e1920 = (_e1866 - _e1870);
-                                                                        let _e1921 = (_e1864 - _e1868);
-                                                                        let _e1929 = (-(((_e1870 * _e1920) + (_e1868 * _e1921))) / ((_e1920 * _e1920) + (_e1921 * _e1921)));
-                                                                        let _e1931 = select(1f, _e1929, (_e1929 < 1f));
-                                                                        let _e1933 = select(0f, _e1931, (_e1931 > 0f));
-                                                                        let _e1946 = ((_e1872.x + (_e1878.x * _e1933)) - _e337);
-                                                                        let _e1947 = ((_e1872.y + (_e1878.y * _e1933)) - _e406);
-                                                                        let _e1948 = ((_e1872.z + (_e1878.z * _e1933)) - _e474);
-                                                                        let _e1949 = (_e1948 / _e513);
-                                                                        let _e1961 = bitcast<f32>((bitcast<u32>(_e1946) & 2147483647u));
-                                                                        let _e1964 = bitcast<f32>((bitcast<u32>(_e1947) & 2147483647u));
-                                                                        let _e1966 = select(_e1964, _e1961, (_e1961 > _e1964));
-                                                                        let _e1969 = bitcast<f32>((bitcast<u32>(_e1948) & 2147483647u));
-                                                                        let _e1971 = select(_e1969, _e1966, (_e1966 > _e1969));
-                                                                        let _e1977 = bitcast<f32>((bitcast<u32>(_e1885) & 2147483647u));
-                                                                        let _e1980 = bitcast<f32>((bitcast<u32>(_e1890) & 2147483647u));
-                                                                        let _e1982 = select(_e1980, _e1977, (_e1977 > _e1980));
-                                                                        let _e1985 = bitcast<f32>((bitcast<u32>(_e1893) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1885 * _e1946) + (_e1890 * _e1947)) + (_e1893 * _e1948)) - _e1914)) & 2147483647u)) <= ((0.0000009536743f * select(_e1851, _e1971, (_e1971 > _e1851))) * select(_e1985, _e1982, (_e1982 > _e1985)))) {
-                                                                            let _e1995 = bitcast<f32>((bitcast<u32>(_e1876.x) & 2147483647u));
-                                                                            let _e1998 = bitcast<f32>((bitcast<u32>(_e1876.y) & 2147483647u));
-                                                                            let _e2000 = select(_e1998, _e1995, (_e1995 > _e1998));
-                                                                            let _e2003 = bitcast<f32>((bitcast<u32>(_e1876.z) & 2147483647u));
-                                                                            let _e2009 = bitcast<f32>((bitcast<u32>(_e1874.x) & 2147483647u));
-                                                                            let _e2012 = bitcast<f32>((bitcast<u32>(_e1874.y) & 2147483647u));
-                                                                            let _e2014 = select(_e2012, _e2009, (_e2009 > _e2012));
-                                                                            let _e2017 = bitcast<f32>((bitcast<u32>(_e1874.z) & 2147483647u));
-                                                                            let _e2021 = (bitcast<f32>((bitcast<u32>(_e1919) & 2147483647u)) > ((0.0000038146973f * select(_e2003, _e2000, (_e2000 > _e2003))) * select(_e2017, _e2014, (_e2014 > _e2017))));
-                                                                            if _e2021 {
-                                                                                phi_2943_ = (_e1914 / _e1919);
+                                                                        let _e1445 = phi_2776_;
+                                                                        let _e1456 = (((_e1427 * (_e1445.x - _e337)) + (_e1432 * (_e1445.y - _e406))) + (_e1435 * (_e1445.z - _e474)));
+                                                                        let _e1461 = (((_e1427 * _e377) + (_e1432 * _e445)) + (_e1435 * _e513));
+                                                                        let _e1462 = (_e1408 - _e1412);
+                                                                        let _e1463 = (_e1406 - _e1410);
+                                                                        let _e1471 = (-(((_e1412 * _e1462) + (_e1410 * _e1463))) / ((_e1462 * _e1462) + (_e1463 * _e1463)));
+                                                                        let _e1473 = select(1f, _e1471, (_e1471 < 1f));
+                                                                        let _e1475 = select(0f, _e1473, (_e1473 > 0f));
+                                                                        let _e1488 = ((_e1414.x + (_e1420.x * _e1475)) - _e337);
+                                                                        let _e1489 = ((_e1414.y + (_e1420.y * _e1475)) - _e406);
+                                                                        let _e1490 = ((_e1414.z + (_e1420.z * _e1475)) - _e474);
+                                                                        let _e1491 = (_e1490 / _e513);
+                                                                        let _e1503 = bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u));
+                                                                        let _e1506 = bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u));
+                                                                        let _e1508 = select(_e1506, _e1503, (_e1503 > _e1506));
+                                                                        let _e1511 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
+                                                                        let _e1513 = select(_e1511, _e1508, (_e1508 > _e1511));
+                                                                        let _e1519 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                                        let _e1522 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                                        let _e1524 = select(_e1522, _e1519, (_e1519 > _e1522));
+                                                                        let _e1527 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1427 * _e1488) + (_e1432 * _e1489)) + (_e1435 * _e1490)) - _e1456)) & 2147483647u)) <= ((0.0000009536743f * select(_e1393, _e1513, (_e1513 > _e1393))) * select(_e1527, _e1524, (_e1524 > _e1527)))) {
+                                                                            let _e1537 = bitcast<f32>((bitcast<u32>(_e1418.x) & 2147483647u));
+                                                                            let _e1540 = bitcast<f32>((bitcast<u32>(_e1418.y) & 2147483647u));
+                                                                            let _e1542 = select(_e1540, _e1537, (_e1537 > _e1540));
+                                                                            let _e1545 = bitcast<f32>((bitcast<u32>(_e1418.z) & 2147483647u));
+                                                                            let _e1551 = bitcast<f32>((bitcast<u32>(_e1416.x) & 2147483647u));
+                                                                            let _e1554 = bitcast<f32>((bitcast<u32>(_e1416.y) & 2147483647u));
+                                                                            let _e1556 = select(_e1554, _e1551, (_e1551 > _e1554));
+                                                                            let _e1559 = bitcast<f32>((bitcast<u32>(_e1416.z) & 2147483647u));
+                                                                            let _e1563 = (bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u)) > ((0.0000038146973f * select(_e1545, _e1542, (_e1542 > _e1545))) * select(_e1559, _e1556, (_e1556 > _e1559))));
+                                                                            if _e1563 {
+                                                                                phi_2941_ = (_e1456 / _e1461);
                                                                             } else {
-                                                                                phi_2943_ = f32();
+                                                                                phi_2941_ = f32();
                                                                             }
-                                                                            let _e2024 = phi_2943_;
-                                                                            phi_2945_ = _e2024;
-                                                                            phi_2946_ = select(true, false, _e2021);
+                                                                            let _e1566 = phi_2941_;
+                                                                            phi_2943_ = _e1566;
+                                                                            phi_2944_ = select(true, false, _e1563);
                                                                         } else {
-                                                                            phi_2945_ = f32();
-                                                                            phi_2946_ = true;
+                                                                            phi_2943_ = f32();
+                                                                            phi_2944_ = true;
                                                                         }
-                                                                        let _e2027 = phi_2945_;
-                                                                        let _e2029 = phi_2946_;
-                                                                        if _e2029 {
-                                                                            let _e2037 = (((_e1885 * (_e1946 - (_e377 * _e1949))) + (_e1890 * (_e1947 - (_e445 * _e1949)))) / _e1919);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e2037) & 2147483647u)) <= _e1851) {
-                                                                                phi_2966_ = (_e1949 + _e2037);
+                                                                        let _e1569 = phi_2943_;
+                                                                        let _e1571 = phi_2944_;
+                                                                        if _e1571 {
+                                                                            let _e1579 = (((_e1427 * (_e1488 - (_e377 * _e1491))) + (_e1432 * (_e1489 - (_e445 * _e1491)))) / _e1461);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u)) <= _e1393) {
+                                                                                phi_2964_ = (_e1491 + _e1579);
                                                                             } else {
-                                                                                phi_2966_ = _e1949;
+                                                                                phi_2964_ = _e1491;
                                                                             }
-                                                                            let _e2044 = phi_2966_;
-                                                                            phi_2967_ = _e2044;
+                                                                            let _e1586 = phi_2964_;
+                                                                            phi_2965_ = _e1586;
                                                                         } else {
-                                                                            phi_2967_ = _e2027;
+                                                                            phi_2965_ = _e1569;
                                                                         }
-                                                                        let _e2046 = phi_2967_;
-                                                                        let _e2048 = select(_e1784, _e2046, (_e2046 < _e1784));
-                                                                        let _e2050 = select(_e1776, _e2048, (_e2048 > _e1776));
-                                                                        if (_e2050 >= _e628) {
-                                                                            let _e2052 = (_e2050 <= _e1185);
-                                                                            if _e2052 {
-                                                                                let _e2053 = (1f / _e1703);
-                                                                                phi_2990_ = type_24(_e2050, (_e1697 * _e2053), (_e1701 * _e2053), _e1245);
+                                                                        let _e1588 = phi_2965_;
+                                                                        let _e1590 = select(_e1326, _e1588, (_e1588 < _e1326));
+                                                                        let _e1592 = select(_e1318, _e1590, (_e1590 > _e1318));
+                                                                        if (_e1592 >= _e628) {
+                                                                            let _e1594 = (_e1592 <= _e727);
+                                                                            if _e1594 {
+                                                                                let _e1595 = (1f / _e1245);
+                                                                                phi_2988_ = type_24(_e1592, (_e1239 * _e1595), (_e1243 * _e1595), _e787);
                                                                             } else {
-                                                                                phi_2990_ = type_24();
+                                                                                phi_2988_ = type_24();
                                                                             }
-                                                                            let _e2058 = phi_2990_;
-                                                                            phi_2992_ = _e2058;
-                                                                            phi_2993_ = select(true, false, _e2052);
+                                                                            let _e1600 = phi_2988_;
+                                                                            phi_2990_ = _e1600;
+                                                                            phi_2991_ = select(true, false, _e1594);
                                                                         } else {
-                                                                            phi_2992_ = type_24();
-                                                                            phi_2993_ = true;
+                                                                            phi_2990_ = type_24();
+                                                                            phi_2991_ = true;
                                                                         }
-                                                                        let _e2061 = phi_2992_;
-                                                                        let _e2063 = phi_2993_;
-                                                                        if _e2063 {
-                                                                            phi_2997_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1603 = phi_2990_;
+                                                                        let _e1605 = phi_2991_;
+                                                                        if _e1605 {
+                                                                            phi_2995_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2997_ = _e2061;
+                                                                            phi_2995_ = _e1603;
                                                                         }
-                                                                        let _e2065 = phi_2997_;
-                                                                        phi_2998_ = _e2065;
+                                                                        let _e1607 = phi_2995_;
+                                                                        phi_2996_ = _e1607;
                                                                     }
-                                                                    let _e2067 = phi_2998_;
-                                                                    phi_2999_ = _e2067;
-                                                                    phi_3000_ = _e1793;
+                                                                    let _e1609 = phi_2996_;
+                                                                    phi_2997_ = _e1609;
+                                                                    phi_2998_ = _e1335;
                                                                 }
-                                                                let _e2069 = phi_2999_;
-                                                                let _e2071 = phi_3000_;
-                                                                phi_3004_ = _e2069;
-                                                                phi_3005_ = _e2071;
+                                                                let _e1611 = phi_2997_;
+                                                                let _e1613 = phi_2998_;
+                                                                phi_3002_ = _e1611;
+                                                                phi_3003_ = _e1613;
                                                             }
-                                                            let _e2073 = phi_3004_;
-                                                            let _e2075 = phi_3005_;
-                                                            phi_3006_ = _e2073;
-                                                            phi_3007_ = _e1728;
-                                                            phi_3008_ = _e2075;
+                                                            let _e1615 = phi_3002_;
+                                                            let _e1617 = phi_3003_;
+                                                            phi_3004_ = _e1615;
+                                                            phi_3005_ = _e1270;
+                                                            phi_3006_ = _e1617;
                                                         }
-                                                        let _e2077 = phi_3006_;
-                                                        let _e2079 = phi_3007_;
-                                                        let _e2081 = phi_3008_;
-                                                        phi_3009_ = _e2077;
-                                                        phi_3010_ = _e2079;
-                                                        phi_3011_ = _e2081;
+                                                        let _e1619 = phi_3004_;
+                                                        let _e1621 = phi_3005_;
+                                                        let _e1623 = phi_3006_;
+                                                        phi_3007_ = _e1619;
+                                                        phi_3008_ = _e1621;
+                                                        phi_3009_ = _e1623;
                                                     }
-                                                    let _e2083 = phi_3009_;
-                                                    let _e2085 = phi_3010_;
-                                                    let _e2087 = phi_3011_;
-                                                    phi_3019_ = _e2083;
-                                                    phi_3020_ = select(_e2087, true, _e2085);
+                                                    let _e1625 = phi_3007_;
+                                                    let _e1627 = phi_3008_;
+                                                    let _e1629 = phi_3009_;
+                                                    phi_3017_ = _e1625;
+                                                    phi_3018_ = select(_e1629, true, _e1627);
                                                 } else {
-                                                    phi_3019_ = type_24();
-                                                    phi_3020_ = true;
+                                                    phi_3017_ = type_24();
+                                                    phi_3018_ = true;
                                                 }
-                                                let _e2090 = phi_3019_;
-                                                let _e2092 = phi_3020_;
-                                                if _e2092 {
-                                                    phi_3024_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1632 = phi_3017_;
+                                                let _e1634 = phi_3018_;
+                                                if _e1634 {
+                                                    phi_3022_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_3024_ = _e2090;
+                                                    phi_3022_ = _e1632;
                                                 }
-                                                let _e2094 = phi_3024_;
-                                                if (_e2094.member_3 != 4294967295u) {
-                                                    if (_e1245 != 4294967295u) {
-                                                        phi_3036_ = type_8(0u, 8u);
-                                                        phi_3039_ = _e2094;
+                                                let _e1636 = phi_3022_;
+                                                if (_e1636.member_3 != 4294967295u) {
+                                                    if (_e787 != 4294967295u) {
+                                                        phi_3034_ = type_8(0u, 8u);
+                                                        phi_3037_ = _e1636;
                                                         loop {
-                                                            let _e2099 = phi_3036_;
-                                                            let _e2101 = phi_3039_;
-                                                            if (_e2099.member < _e2099.member_1) {
-                                                                phi_3037_ = type_8((_e2099.member + 1u), _e2099.member_1);
-                                                                phi_3062_ = type_8(1u, _e2099.member);
+                                                            let _e1641 = phi_3034_;
+                                                            let _e1643 = phi_3037_;
+                                                            if (_e1641.member < _e1641.member_1) {
+                                                                phi_3035_ = type_8((_e1641.member + 1u), _e1641.member_1);
+                                                                phi_3060_ = type_8(1u, _e1641.member);
                                                             } else {
-                                                                phi_3037_ = _e2099;
-                                                                phi_3062_ = type_8(0u, type_8().member_1);
+                                                                phi_3035_ = _e1641;
+                                                                phi_3060_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e2114 = phi_3037_;
-                                                            let _e2116 = phi_3062_;
-                                                            let _e2120 = (bitcast<i32>(_e2116.member) != 0i);
-                                                            if _e2120 {
-                                                                let _e2121 = (_e2116.member_1 < 8u);
-                                                                if _e2121 {
+                                                            let _e1656 = phi_3035_;
+                                                            let _e1658 = phi_3060_;
+                                                            let _e1662 = (bitcast<i32>(_e1658.member) != 0i);
+                                                            if _e1662 {
+                                                                let _e1663 = (_e1658.member_1 < 8u);
+                                                                if _e1663 {
                                                                 } else {
-                                                                    phi_5000_ = true;
+                                                                    phi_4944_ = true;
                                                                     break;
                                                                 }
-                                                                let _e2126 = local_9[_e2116.member_1].member;
-                                                                if (_e2101.member < _e2126) {
-                                                                    phi_3095_ = true;
+                                                                let _e1668 = local_9[_e1658.member_1].member;
+                                                                if (_e1643.member < _e1668) {
+                                                                    phi_3093_ = true;
                                                                 } else {
-                                                                    let _e2128 = local_9[_e2116.member_1].member;
-                                                                    if (_e2101.member == _e2128) {
-                                                                        let _e2133 = local_9[_e2116.member_1].member_3;
-                                                                        phi_3094_ = (_e2101.member_3 < _e2133);
+                                                                    let _e1670 = local_9[_e1658.member_1].member;
+                                                                    if (_e1643.member == _e1670) {
+                                                                        let _e1675 = local_9[_e1658.member_1].member_3;
+                                                                        phi_3092_ = (_e1643.member_3 < _e1675);
                                                                     } else {
-                                                                        phi_3094_ = false;
+                                                                        phi_3092_ = false;
                                                                     }
-                                                                    let _e2136 = phi_3094_;
-                                                                    phi_3095_ = _e2136;
+                                                                    let _e1678 = phi_3092_;
+                                                                    phi_3093_ = _e1678;
                                                                 }
-                                                                let _e2138 = phi_3095_;
-                                                                if _e2138 {
-                                                                    if _e2121 {
+                                                                let _e1680 = phi_3093_;
+                                                                if _e1680 {
+                                                                    if _e1663 {
                                                                     } else {
-                                                                        phi_5000_ = true;
+                                                                        phi_4944_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e2139 = local_9[_e2116.member_1];
-                                                                    local_9[_e2116.member_1] = type_24(_e2101.member, _e2101.member_1, _e2101.member_2, _e2101.member_3);
-                                                                    phi_3116_ = type_24(_e2139.member, _e2139.member_1, _e2139.member_2, _e2139.member_3);
+                                                                    let _e1681 = local_9[_e1658.member_1];
+                                                                    local_9[_e1658.member_1] = type_24(_e1643.member, _e1643.member_1, _e1643.member_2, _e1643.member_3);
+                                                                    phi_3114_ = type_24(_e1681.member, _e1681.member_1, _e1681.member_2, _e1681.member_3);
                                                                 } else {
-                                                                    phi_3116_ = _e2101;
+                                                                    phi_3114_ = _e1643;
                                                                 }
-                                                                let _e2150 = phi_3116_;
-                                                                phi_3040_ = _e2150;
+                                                                let _e1692 = phi_3114_;
+                                                                phi_3038_ = _e1692;
                                                             } else {
-                                                                phi_3040_ = type_24();
+                                                                phi_3038_ = type_24();
                                                             }
-                                                            let _e2152 = phi_3040_;
+                                                            let _e1694 = phi_3038_;
                                                             continue;
                                                             continuing {
-                                                                phi_3036_ = _e2114;
-                                                                phi_3039_ = _e2152;
-                                                                phi_5000_ = _e1183;
-                                                                break if !(_e2120);
+                                                                phi_3034_ = _e1656;
+                                                                phi_3037_ = _e1694;
+                                                                phi_4944_ = _e725;
+                                                                break if !(_e1662);
                                                             }
                                                         }
-                                                        let _e2155 = phi_5000_;
-                                                        phi_5365_ = _e1185;
-                                                        phi_5207_ = _e2155;
-                                                        if _e2155 {
+                                                        let _e1697 = phi_4944_;
+                                                        phi_5214_ = _e727;
+                                                        phi_5151_ = _e1697;
+                                                        if _e1697 {
                                                             break;
                                                         }
-                                                        let _e2158 = local_9[7u].member_3;
-                                                        if (_e2158 != 4294967295u) {
-                                                            let _e2162 = local_9[7u].member;
-                                                            phi_5456_ = _e2162;
+                                                        let _e1700 = local_9[7u].member_3;
+                                                        if (_e1700 != 4294967295u) {
+                                                            let _e1704 = local_9[7u].member;
+                                                            phi_5305_ = _e1704;
                                                         } else {
-                                                            phi_5456_ = _e1185;
+                                                            phi_5305_ = _e727;
                                                         }
-                                                        let _e2164 = phi_5456_;
-                                                        phi_5455_ = _e2164;
-                                                        phi_5210_ = _e2155;
+                                                        let _e1706 = phi_5305_;
+                                                        phi_5304_ = _e1706;
+                                                        phi_5154_ = _e1697;
                                                     } else {
-                                                        phi_5455_ = _e1185;
-                                                        phi_5210_ = _e1183;
+                                                        phi_5304_ = _e727;
+                                                        phi_5154_ = _e725;
                                                     }
-                                                    let _e2166 = phi_5455_;
-                                                    let _e2168 = phi_5210_;
-                                                    phi_5454_ = _e2166;
-                                                    phi_5209_ = _e2168;
+                                                    let _e1708 = phi_5304_;
+                                                    let _e1710 = phi_5154_;
+                                                    phi_5303_ = _e1708;
+                                                    phi_5153_ = _e1710;
                                                 } else {
-                                                    phi_5454_ = _e1185;
-                                                    phi_5209_ = _e1183;
+                                                    phi_5303_ = _e727;
+                                                    phi_5153_ = _e725;
                                                 }
-                                                let _e2170 = phi_5454_;
-                                                let _e2172 = phi_5209_;
-                                                phi_5453_ = _e2170;
-                                                phi_5208_ = _e2172;
+                                                let _e1712 = phi_5303_;
+                                                let _e1714 = phi_5153_;
+                                                phi_5302_ = _e1712;
+                                                phi_5152_ = _e1714;
                                             } else {
-                                                phi_5453_ = _e1185;
-                                                phi_5208_ = _e1183;
+                                                phi_5302_ = _e727;
+                                                phi_5152_ = _e725;
                                             }
-                                            let _e2174 = phi_5453_;
-                                            let _e2176 = phi_5208_;
+                                            let _e1716 = phi_5302_;
+                                            let _e1718 = phi_5152_;
                                             continue;
                                             continuing {
-                                                phi_5029_ = _e2176;
-                                                phi_4972_ = _e2174;
-                                                phi_1362_ = _e1200;
-                                                phi_5365_ = _e2174;
-                                                phi_5207_ = _e2176;
-                                                break if !(_e1206);
+                                                phi_4973_ = _e1718;
+                                                phi_4915_ = _e1716;
+                                                phi_1360_ = _e742;
+                                                phi_5214_ = _e1716;
+                                                phi_5151_ = _e1718;
+                                                break if !(_e748);
                                             }
                                         }
-                                        let _e2179 = phi_5365_;
-                                        let _e2181 = phi_5207_;
-                                        phi_5212_ = _e2181;
-                                        if _e2181 {
+                                        let _e1721 = phi_5214_;
+                                        let _e1723 = phi_5151_;
+                                        phi_5307_ = _e1723;
+                                        if _e1723 {
                                             break;
                                         }
-                                        phi_5330_ = _e2179;
-                                        phi_5216_ = _e2181;
-                                        phi_4399_ = false;
-                                        phi_4400_ = _e711;
-                                        phi_4401_ = _e713;
+                                        phi_5398_ = _e1723;
+                                        phi_5213_ = _e1721;
+                                    } else {
+                                        phi_5398_ = _e669;
+                                        phi_5213_ = _e671;
+                                    }
+                                    let _e1725 = phi_5398_;
+                                    let _e1727 = phi_5213_;
+                                    if _e717 {
+                                        phi_4391_ = bool();
+                                        phi_4392_ = u32();
+                                        phi_4393_ = type_51();
                                     } else {
                                         if (_e713.member_1 >= _e102) {
-                                            phi_3933_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3926_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e713.member_1 < _e102) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e726 = ((1u + _e273) % 4u);
-                                            if (_e726 < 4u) {
+                                            let _e1731 = ((1u + _e273) % 4u);
+                                            if (_e1731 < 4u) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e731 = global_3.member[_e713.member_1][_e726];
-                                            let _e733 = (_e731 >> bitcast<u32>(11u));
-                                            let _e735 = ((1u + _e272) % 4u);
-                                            if (_e735 < 4u) {
+                                            let _e1736 = global_3.member[_e713.member_1][_e1731];
+                                            let _e1738 = (_e1736 >> bitcast<u32>(11u));
+                                            let _e1740 = ((1u + _e272) % 4u);
+                                            if (_e1740 < 4u) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e740 = global_3.member[_e713.member_1][_e735];
-                                            let _e742 = (_e740 >> bitcast<u32>(11u));
-                                            let _e744 = ((1u + _e274) % 4u);
-                                            if (_e744 < 4u) {
+                                            let _e1745 = global_3.member[_e713.member_1][_e1740];
+                                            let _e1747 = (_e1745 >> bitcast<u32>(11u));
+                                            let _e1749 = ((1u + _e274) % 4u);
+                                            if (_e1749 < 4u) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e749 = global_3.member[_e713.member_1][_e744];
-                                            let _e751 = (_e749 >> bitcast<u32>(11u));
-                                            let _e774 = (bitcast<f32>((bitcast<u32>((_e713.member.member_1.x - _e713.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e775 = (bitcast<f32>((bitcast<u32>((_e713.member.member_1.y - _e713.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e776 = (bitcast<f32>((bitcast<u32>((_e713.member.member_1.z - _e713.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e778 = select(_e153, _e774, (_e774 > _e153));
-                                            let _e780 = select(_e153, _e775, (_e775 > _e153));
-                                            let _e782 = select(_e153, _e776, (_e776 > _e153));
-                                            let _e813 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e731 & 1023u))) - 8388608f) * _e778));
-                                            let _e818 = (bitcast<i32>((_e731 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e821 = bitcast<f32>((_e813 & bitcast<u32>(_e818)));
-                                            let _e822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 1023u))) - 8388608f) * _e780));
-                                            let _e827 = (bitcast<i32>((_e740 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e830 = bitcast<f32>((_e822 & bitcast<u32>(_e827)));
-                                            let _e831 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e749 & 1023u))) - 8388608f) * _e782));
-                                            let _e836 = (bitcast<i32>((_e749 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e839 = bitcast<f32>((_e831 & bitcast<u32>(_e836)));
-                                            let _e843 = bitcast<f32>((_e813 & bitcast<u32>(~(_e818))));
-                                            let _e847 = bitcast<f32>((_e822 & bitcast<u32>(~(_e827))));
-                                            let _e851 = bitcast<f32>((_e831 & bitcast<u32>(~(_e836))));
-                                            let _e852 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 1023u))) - 8388608f) * _e778));
-                                            let _e857 = (bitcast<i32>((_e733 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e860 = bitcast<f32>((_e852 & bitcast<u32>(_e857)));
-                                            let _e861 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e742 & 1023u))) - 8388608f) * _e780));
-                                            let _e866 = (bitcast<i32>((_e742 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e869 = bitcast<f32>((_e861 & bitcast<u32>(_e866)));
-                                            let _e870 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e751 & 1023u))) - 8388608f) * _e782));
-                                            let _e875 = (bitcast<i32>((_e751 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e878 = bitcast<f32>((_e870 & bitcast<u32>(_e875)));
-                                            let _e882 = bitcast<f32>((_e852 & bitcast<u32>(~(_e857))));
-                                            let _e886 = bitcast<f32>((_e861 & bitcast<u32>(~(_e866))));
-                                            let _e890 = bitcast<f32>((_e870 & bitcast<u32>(~(_e875))));
-                                            let _e891 = (_e713.member.member.x + _e821);
-                                            let _e892 = (_e713.member.member.y + _e830);
-                                            let _e893 = (_e713.member.member.z + _e839);
-                                            let _e896 = (_e713.member.member_1.x - _e860);
-                                            let _e897 = (_e713.member.member_1.y - _e869);
-                                            let _e898 = (_e713.member.member_1.z - _e878);
-                                            let _e917 = (_e896 - _e891);
-                                            let _e918 = (_e897 - _e892);
-                                            let _e919 = (_e898 - _e893);
-                                            let _e921 = select(_e918, _e917, (_e917 > _e918));
-                                            let _e923 = select(_e919, _e921, (_e921 > _e919));
-                                            if (_e923 < (1024f * _e153)) {
-                                                phi_3634_ = 0u;
+                                            let _e1754 = global_3.member[_e713.member_1][_e1749];
+                                            let _e1756 = (_e1754 >> bitcast<u32>(11u));
+                                            let _e1779 = (bitcast<f32>((bitcast<u32>((_e713.member.member_1.x - _e713.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1780 = (bitcast<f32>((bitcast<u32>((_e713.member.member_1.y - _e713.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1781 = (bitcast<f32>((bitcast<u32>((_e713.member.member_1.z - _e713.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1783 = select(_e153, _e1779, (_e1779 > _e153));
+                                            let _e1785 = select(_e153, _e1780, (_e1780 > _e153));
+                                            let _e1787 = select(_e153, _e1781, (_e1781 > _e153));
+                                            let _e1818 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1736 & 1023u))) - 8388608f) * _e1783));
+                                            let _e1823 = (bitcast<i32>((_e1736 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1826 = bitcast<f32>((_e1818 & bitcast<u32>(_e1823)));
+                                            let _e1827 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1745 & 1023u))) - 8388608f) * _e1785));
+                                            let _e1832 = (bitcast<i32>((_e1745 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1835 = bitcast<f32>((_e1827 & bitcast<u32>(_e1832)));
+                                            let _e1836 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1754 & 1023u))) - 8388608f) * _e1787));
+                                            let _e1841 = (bitcast<i32>((_e1754 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1844 = bitcast<f32>((_e1836 & bitcast<u32>(_e1841)));
+                                            let _e1848 = bitcast<f32>((_e1818 & bitcast<u32>(~(_e1823))));
+                                            let _e1852 = bitcast<f32>((_e1827 & bitcast<u32>(~(_e1832))));
+                                            let _e1856 = bitcast<f32>((_e1836 & bitcast<u32>(~(_e1841))));
+                                            let _e1857 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1738 & 1023u))) - 8388608f) * _e1783));
+                                            let _e1862 = (bitcast<i32>((_e1738 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1865 = bitcast<f32>((_e1857 & bitcast<u32>(_e1862)));
+                                            let _e1866 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1747 & 1023u))) - 8388608f) * _e1785));
+                                            let _e1871 = (bitcast<i32>((_e1747 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1874 = bitcast<f32>((_e1866 & bitcast<u32>(_e1871)));
+                                            let _e1875 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1756 & 1023u))) - 8388608f) * _e1787));
+                                            let _e1880 = (bitcast<i32>((_e1756 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1883 = bitcast<f32>((_e1875 & bitcast<u32>(_e1880)));
+                                            let _e1887 = bitcast<f32>((_e1857 & bitcast<u32>(~(_e1862))));
+                                            let _e1891 = bitcast<f32>((_e1866 & bitcast<u32>(~(_e1871))));
+                                            let _e1895 = bitcast<f32>((_e1875 & bitcast<u32>(~(_e1880))));
+                                            let _e1896 = (_e713.member.member.x + _e1826);
+                                            let _e1897 = (_e713.member.member.y + _e1835);
+                                            let _e1898 = (_e713.member.member.z + _e1844);
+                                            let _e1901 = (_e713.member.member_1.x - _e1865);
+                                            let _e1902 = (_e713.member.member_1.y - _e1874);
+                                            let _e1903 = (_e713.member.member_1.z - _e1883);
+                                            let _e1922 = (_e1901 - _e1896);
+                                            let _e1923 = (_e1902 - _e1897);
+                                            let _e1924 = (_e1903 - _e1898);
+                                            let _e1926 = select(_e1923, _e1922, (_e1922 > _e1923));
+                                            let _e1928 = select(_e1924, _e1926, (_e1926 > _e1924));
+                                            if (_e1928 < (1024f * _e153)) {
+                                                phi_3627_ = 0u;
                                             } else {
-                                                phi_3634_ = select(2u, 1u, (_e923 < (2097152f * _e153)));
+                                                phi_3627_ = select(2u, 1u, (_e1928 < (2097152f * _e153)));
                                             }
-                                            let _e930 = phi_3634_;
-                                            switch bitcast<i32>(_e930) {
+                                            let _e1935 = phi_3627_;
+                                            switch bitcast<i32>(_e1935) {
                                                 case 0: {
-                                                    phi_3640_ = 1u;
+                                                    phi_3633_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3640_ = 2u;
+                                                    phi_3633_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3640_ = 3u;
+                                                    phi_3633_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3640_ = u32();
+                                                    phi_3633_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e933 = phi_3640_;
-                                            let _e939 = global_3.member[_e713.member_1][0u];
-                                            let _e943 = global_3.member[_e713.member_1][1u];
-                                            let _e947 = global_3.member[_e713.member_1][2u];
-                                            let _e951 = global_3.member[_e713.member_1][3u];
-                                            let _e963 = (((_e943 >> bitcast<u32>(22i)) | ((_e947 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e951 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e964 = (_e939 & 268435455u);
-                                            let _e965 = (_e963 & 268435455u);
-                                            let _e968 = ((_e939 >> bitcast<u32>(28u)) & 7u);
-                                            let _e976 = ((_e939 >> bitcast<u32>(31i)) | (((_e963 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e977 = (_e968 != 0u);
-                                            if (_e968 == 0u) {
-                                                phi_3895_ = _e964;
+                                            let _e1938 = phi_3633_;
+                                            let _e1944 = global_3.member[_e713.member_1][0u];
+                                            let _e1948 = global_3.member[_e713.member_1][1u];
+                                            let _e1952 = global_3.member[_e713.member_1][2u];
+                                            let _e1956 = global_3.member[_e713.member_1][3u];
+                                            let _e1968 = (((_e1948 >> bitcast<u32>(22i)) | ((_e1952 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1956 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1969 = (_e1944 & 268435455u);
+                                            let _e1970 = (_e1968 & 268435455u);
+                                            let _e1973 = ((_e1944 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1981 = ((_e1944 >> bitcast<u32>(31i)) | (((_e1968 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1982 = (_e1973 != 0u);
+                                            if (_e1973 == 0u) {
+                                                phi_3888_ = _e1969;
                                             } else {
-                                                if (_e968 == 7u) {
-                                                    phi_3894_ = 2147483648u;
+                                                if (_e1973 == 7u) {
+                                                    phi_3887_ = 2147483648u;
                                                 } else {
-                                                    phi_3894_ = ((2147483648u | (_e968 << bitcast<u32>(28u))) | (_e965 & 268435455u));
+                                                    phi_3887_ = ((2147483648u | (_e1973 << bitcast<u32>(28u))) | (_e1970 & 268435455u));
                                                 }
-                                                let _e986 = phi_3894_;
-                                                phi_3895_ = _e986;
+                                                let _e1991 = phi_3887_;
+                                                phi_3888_ = _e1991;
                                             }
-                                            let _e988 = phi_3895_;
-                                            if _e977 {
-                                                let _e989 = (_e968 != 7u);
-                                                if _e989 {
-                                                    phi_3905_ = (_e965 + (_e968 * ((3u * _e933) + 1u)));
+                                            let _e1993 = phi_3888_;
+                                            if _e1982 {
+                                                let _e1994 = (_e1973 != 7u);
+                                                if _e1994 {
+                                                    phi_3898_ = (_e1970 + (_e1973 * ((3u * _e1938) + 1u)));
                                                 } else {
-                                                    phi_3905_ = u32();
+                                                    phi_3898_ = u32();
                                                 }
-                                                let _e993 = phi_3905_;
-                                                phi_3907_ = _e993;
-                                                phi_3908_ = select(true, false, _e989);
+                                                let _e1998 = phi_3898_;
+                                                phi_3900_ = _e1998;
+                                                phi_3901_ = select(true, false, _e1994);
                                             } else {
-                                                phi_3907_ = u32();
-                                                phi_3908_ = true;
+                                                phi_3900_ = u32();
+                                                phi_3901_ = true;
                                             }
-                                            let _e996 = phi_3907_;
-                                            let _e998 = phi_3908_;
-                                            if (_e976 == 0u) {
-                                                phi_3929_ = (_e964 + select(0u, 1u, !(_e977)));
+                                            let _e2001 = phi_3900_;
+                                            let _e2003 = phi_3901_;
+                                            if (_e1981 == 0u) {
+                                                phi_3922_ = (_e1969 + select(0u, 1u, !(_e1982)));
                                             } else {
-                                                if (_e976 == 7u) {
-                                                    phi_3928_ = 2147483648u;
+                                                if (_e1981 == 7u) {
+                                                    phi_3921_ = 2147483648u;
                                                 } else {
-                                                    phi_3928_ = ((2147483648u | (_e976 << bitcast<u32>(28u))) | (select(_e996, _e965, _e998) & 268435455u));
+                                                    phi_3921_ = ((2147483648u | (_e1981 << bitcast<u32>(28u))) | (select(_e2001, _e1970, _e2003) & 268435455u));
                                                 }
-                                                let _e1011 = phi_3928_;
-                                                phi_3929_ = _e1011;
+                                                let _e2016 = phi_3921_;
+                                                phi_3922_ = _e2016;
                                             }
-                                            let _e1013 = phi_3929_;
-                                            phi_3933_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e891, (_e713.member.member.x + _e843), _e896, (_e713.member.member_1.x - _e882)), vec4<f32>(_e892, (_e713.member.member.y + _e847), _e897, (_e713.member.member_1.y - _e886)), vec4<f32>(_e893, (_e713.member.member.z + _e851), _e898, (_e713.member.member_1.z - _e890))), type_51(type_28((_e713.member.member + vec4<f32>(_e821, _e830, _e839, 0f)), (_e713.member.member_1 - vec4<f32>(_e860, _e869, _e878, 0f))), _e988), type_51(type_28((_e713.member.member + vec4<f32>(_e843, _e847, _e851, 0f)), (_e713.member.member_1 - vec4<f32>(_e882, _e886, _e890, 0f))), _e1013));
+                                            let _e2018 = phi_3922_;
+                                            phi_3926_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e1896, (_e713.member.member.x + _e1848), _e1901, (_e713.member.member_1.x - _e1887)), vec4<f32>(_e1897, (_e713.member.member.y + _e1852), _e1902, (_e713.member.member_1.y - _e1891)), vec4<f32>(_e1898, (_e713.member.member.z + _e1856), _e1903, (_e713.member.member_1.z - _e1895))), type_51(type_28((_e713.member.member + vec4<f32>(_e1826, _e1835, _e1844, 0f)), (_e713.member.member_1 - vec4<f32>(_e1865, _e1874, _e1883, 0f))), _e1993), type_51(type_28((_e713.member.member + vec4<f32>(_e1848, _e1852, _e1856, 0f)), (_e713.member.member_1 - vec4<f32>(_e1887, _e1891, _e1895, 0f))), _e2018));
                                         }
-                                        let _e1018 = phi_3933_;
-                                        let _e1029 = ((_e1018.member[0].x - _e375) * _e380);
-                                        let _e1030 = ((_e1018.member[0].y - _e375) * _e380);
-                                        let _e1031 = ((_e1018.member[0].z - _e376) * _e380);
-                                        let _e1032 = ((_e1018.member[0].w - _e376) * _e380);
-                                        let _e1042 = ((_e1018.member[1].x - _e443) * _e448);
-                                        let _e1043 = ((_e1018.member[1].y - _e443) * _e448);
-                                        let _e1044 = ((_e1018.member[1].z - _e444) * _e448);
-                                        let _e1045 = ((_e1018.member[1].w - _e444) * _e448);
-                                        let _e1055 = ((_e1018.member[2].x - _e511) * _e516);
-                                        let _e1056 = ((_e1018.member[2].y - _e511) * _e516);
-                                        let _e1057 = ((_e1018.member[2].z - _e512) * _e516);
-                                        let _e1058 = ((_e1018.member[2].w - _e512) * _e516);
-                                        let _e1060 = select(_e1057, _e1055, (_e1055 < _e1057));
-                                        let _e1062 = select(_e1058, _e1056, (_e1056 < _e1058));
-                                        let _e1064 = select(_e1057, _e1055, (_e1055 > _e1057));
-                                        let _e1066 = select(_e1058, _e1056, (_e1056 > _e1058));
-                                        let _e1068 = select(_e1031, _e1029, (_e1029 < _e1031));
-                                        let _e1070 = select(_e1032, _e1030, (_e1030 < _e1032));
-                                        let _e1072 = select(_e1044, _e1042, (_e1042 < _e1044));
-                                        let _e1074 = select(_e1045, _e1043, (_e1043 < _e1045));
-                                        let _e1076 = select(_e1072, _e1068, (_e1068 > _e1072));
-                                        let _e1078 = select(_e1074, _e1070, (_e1070 > _e1074));
-                                        let _e1080 = select(_e1060, _e1076, (_e1076 > _e1060));
-                                        let _e1082 = select(_e1062, _e1078, (_e1078 > _e1062));
-                                        let _e1084 = select(_e1031, _e1029, (_e1029 > _e1031));
-                                        let _e1086 = select(_e1032, _e1030, (_e1030 > _e1032));
-                                        let _e1088 = select(_e1044, _e1042, (_e1042 > _e1044));
-                                        let _e1090 = select(_e1045, _e1043, (_e1043 > _e1045));
-                                        let _e1092 = select(_e1088, _e1084, (_e1084 < _e1088));
-                                        let _e1094 = select(_e1090, _e1086, (_e1086 < _e1090));
-                                        let _e1099 = -(_e1060);
-                                        let _e1100 = -(_e1062);
-                                        let _e1107 = (select(_e1064, _e1092, (_e1092 < _e1064)) + (select(_e1099, _e1064, (_e1064 > _e1099)) * 0.0000019073523f));
-                                        let _e1108 = (select(_e1066, _e1094, (_e1094 < _e1066)) + (select(_e1100, _e1066, (_e1066 > _e1100)) * 0.0000019073523f));
-                                        let _e1110 = select(_e628, _e1080, (_e1080 > _e628));
-                                        let _e1112 = select(_e628, _e1082, (_e1082 > _e628));
-                                        let _e1117 = (_e1110 <= select(_e671, _e1107, (_e1107 < _e671)));
-                                        let _e1118 = (_e1112 <= select(_e671, _e1108, (_e1108 < _e671)));
-                                        let _e1119 = (_e1110 <= _e1112);
-                                        if _e1117 {
-                                            if _e1118 {
-                                                if _e1119 {
-                                                    phi_4296_ = _e1018.member_2;
+                                        let _e2023 = phi_3926_;
+                                        let _e2034 = ((_e2023.member[0].x - _e375) * _e380);
+                                        let _e2035 = ((_e2023.member[0].y - _e375) * _e380);
+                                        let _e2036 = ((_e2023.member[0].z - _e376) * _e380);
+                                        let _e2037 = ((_e2023.member[0].w - _e376) * _e380);
+                                        let _e2047 = ((_e2023.member[1].x - _e443) * _e448);
+                                        let _e2048 = ((_e2023.member[1].y - _e443) * _e448);
+                                        let _e2049 = ((_e2023.member[1].z - _e444) * _e448);
+                                        let _e2050 = ((_e2023.member[1].w - _e444) * _e448);
+                                        let _e2060 = ((_e2023.member[2].x - _e511) * _e516);
+                                        let _e2061 = ((_e2023.member[2].y - _e511) * _e516);
+                                        let _e2062 = ((_e2023.member[2].z - _e512) * _e516);
+                                        let _e2063 = ((_e2023.member[2].w - _e512) * _e516);
+                                        let _e2065 = select(_e2062, _e2060, (_e2060 < _e2062));
+                                        let _e2067 = select(_e2063, _e2061, (_e2061 < _e2063));
+                                        let _e2069 = select(_e2062, _e2060, (_e2060 > _e2062));
+                                        let _e2071 = select(_e2063, _e2061, (_e2061 > _e2063));
+                                        let _e2073 = select(_e2036, _e2034, (_e2034 < _e2036));
+                                        let _e2075 = select(_e2037, _e2035, (_e2035 < _e2037));
+                                        let _e2077 = select(_e2049, _e2047, (_e2047 < _e2049));
+                                        let _e2079 = select(_e2050, _e2048, (_e2048 < _e2050));
+                                        let _e2081 = select(_e2077, _e2073, (_e2073 > _e2077));
+                                        let _e2083 = select(_e2079, _e2075, (_e2075 > _e2079));
+                                        let _e2085 = select(_e2065, _e2081, (_e2081 > _e2065));
+                                        let _e2087 = select(_e2067, _e2083, (_e2083 > _e2067));
+                                        let _e2089 = select(_e2036, _e2034, (_e2034 > _e2036));
+                                        let _e2091 = select(_e2037, _e2035, (_e2035 > _e2037));
+                                        let _e2093 = select(_e2049, _e2047, (_e2047 > _e2049));
+                                        let _e2095 = select(_e2050, _e2048, (_e2048 > _e2050));
+                                        let _e2097 = select(_e2093, _e2089, (_e2089 < _e2093));
+                                        let _e2099 = select(_e2095, _e2091, (_e2091 < _e2095));
+                                        let _e2104 = -(_e2065);
+                                        let _e2105 = -(_e2067);
+                                        let _e2112 = (select(_e2069, _e2097, (_e2097 < _e2069)) + (select(_e2104, _e2069, (_e2069 > _e2104)) * 0.0000019073523f));
+                                        let _e2113 = (select(_e2071, _e2099, (_e2099 < _e2071)) + (select(_e2105, _e2071, (_e2071 > _e2105)) * 0.0000019073523f));
+                                        let _e2115 = select(_e628, _e2085, (_e2085 > _e628));
+                                        let _e2117 = select(_e628, _e2087, (_e2087 > _e628));
+                                        let _e2122 = (_e2115 <= select(_e1727, _e2112, (_e2112 < _e1727)));
+                                        let _e2123 = (_e2117 <= select(_e1727, _e2113, (_e2113 < _e1727)));
+                                        let _e2124 = (_e2115 <= _e2117);
+                                        if _e2122 {
+                                            if _e2123 {
+                                                if _e2124 {
+                                                    phi_4289_ = _e2023.member_2;
                                                 } else {
-                                                    phi_4296_ = _e1018.member_1;
+                                                    phi_4289_ = _e2023.member_1;
                                                 }
-                                                let _e1123 = phi_4296_;
-                                                let _e1145 = (_e711 % 128u);
-                                                let _e1146 = (_e1145 < 128u);
-                                                if _e1146 {
+                                                let _e2128 = phi_4289_;
+                                                let _e2149 = (_e711 % 128u);
+                                                let _e2150 = (_e2149 < 128u);
+                                                if _e2150 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1145] = _e1123.member_1;
-                                                if _e1146 {
+                                                local_8[_e2149] = _e2128.member_1;
+                                                if _e2150 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1145] = _e1123.member.member.x;
-                                                if _e1146 {
+                                                local_7[_e2149] = _e2128.member.member.x;
+                                                if _e2150 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1145] = _e1123.member.member.y;
-                                                if _e1146 {
+                                                local_6[_e2149] = _e2128.member.member.y;
+                                                if _e2150 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1145] = _e1123.member.member.z;
-                                                if _e1146 {
+                                                local_5[_e2149] = _e2128.member.member.z;
+                                                if _e2150 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1145] = _e1123.member.member_1.x;
-                                                if _e1146 {
+                                                local_4[_e2149] = _e2128.member.member_1.x;
+                                                if _e2150 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1145] = _e1123.member.member_1.y;
-                                                if _e1146 {
+                                                local_3[_e2149] = _e2128.member.member_1.y;
+                                                if _e2150 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1145] = _e1123.member.member_1.z;
-                                                if _e1146 {
+                                                local_2[_e2149] = _e2128.member.member_1.z;
+                                                if _e2150 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_10[_e1145] = select(_e1112, _e1110, !(_e1119));
-                                                if _e1119 {
-                                                    phi_4373_ = _e1018.member_1;
+                                                local_10[_e2149] = select(_e2115, _e2117, _e2124);
+                                                if _e2124 {
+                                                    phi_4365_ = _e2023.member_1;
                                                 } else {
-                                                    phi_4373_ = _e1018.member_2;
+                                                    phi_4365_ = _e2023.member_2;
                                                 }
-                                                let _e1159 = phi_4373_;
-                                                phi_4374_ = (_e711 + 1u);
-                                                phi_4375_ = _e1159;
+                                                let _e2163 = phi_4365_;
+                                                phi_4366_ = (_e711 + 1u);
+                                                phi_4367_ = _e2163;
                                             } else {
-                                                phi_4374_ = u32();
-                                                phi_4375_ = type_51();
+                                                phi_4366_ = u32();
+                                                phi_4367_ = type_51();
                                             }
-                                            let _e1161 = phi_4374_;
-                                            let _e1163 = phi_4375_;
-                                            phi_4377_ = _e1161;
-                                            phi_4378_ = _e1163;
-                                            phi_4379_ = select(true, false, _e1118);
+                                            let _e2165 = phi_4366_;
+                                            let _e2167 = phi_4367_;
+                                            phi_4369_ = _e2165;
+                                            phi_4370_ = _e2167;
+                                            phi_4371_ = select(true, false, _e2123);
                                         } else {
-                                            phi_4377_ = u32();
-                                            phi_4378_ = type_51();
-                                            phi_4379_ = true;
+                                            phi_4369_ = u32();
+                                            phi_4370_ = type_51();
+                                            phi_4371_ = true;
                                         }
-                                        let _e1166 = phi_4377_;
-                                        let _e1168 = phi_4378_;
-                                        let _e1170 = phi_4379_;
-                                        if _e1170 {
-                                            if _e1117 {
-                                                phi_4388_ = _e1018.member_1;
+                                        let _e2170 = phi_4369_;
+                                        let _e2172 = phi_4370_;
+                                        let _e2174 = phi_4371_;
+                                        if _e2174 {
+                                            if _e2122 {
+                                                phi_4380_ = _e2023.member_1;
                                             } else {
-                                                phi_4388_ = _e1018.member_2;
+                                                phi_4380_ = _e2023.member_2;
                                             }
-                                            let _e1174 = phi_4388_;
-                                            phi_4393_ = select(_e1118, true, _e1117);
-                                            phi_4395_ = _e1174;
+                                            let _e2178 = phi_4380_;
+                                            phi_4385_ = select(_e2123, true, _e2122);
+                                            phi_4387_ = _e2178;
                                         } else {
-                                            phi_4393_ = _e709;
-                                            phi_4395_ = _e1168;
+                                            phi_4385_ = _e709;
+                                            phi_4387_ = _e2172;
                                         }
-                                        let _e1177 = phi_4393_;
-                                        let _e1179 = phi_4395_;
-                                        phi_5330_ = _e671;
-                                        phi_5216_ = _e669;
-                                        phi_4399_ = _e1177;
-                                        phi_4400_ = select(_e1166, _e711, _e1170);
-                                        phi_4401_ = _e1179;
+                                        let _e2181 = phi_4385_;
+                                        let _e2183 = phi_4387_;
+                                        phi_4391_ = _e2181;
+                                        phi_4392_ = select(_e2170, _e711, _e2174);
+                                        phi_4393_ = _e2183;
                                     }
-                                    let _e2183 = phi_5330_;
-                                    let _e2185 = phi_5216_;
-                                    let _e2187 = phi_4399_;
-                                    let _e2189 = phi_4400_;
-                                    let _e2191 = phi_4401_;
-                                    phi_5329_ = _e2183;
-                                    phi_5215_ = _e2185;
-                                    phi_4402_ = _e2187;
-                                    phi_4403_ = (_e675 - 1u);
-                                    phi_4404_ = _e2189;
-                                    phi_4405_ = _e2191;
+                                    let _e2186 = phi_4391_;
+                                    let _e2188 = phi_4392_;
+                                    let _e2190 = phi_4393_;
+                                    if _e717 {
+                                        phi_4403_ = _e713;
+                                    } else {
+                                        phi_4403_ = _e2190;
+                                    }
+                                    let _e2192 = phi_4403_;
+                                    phi_5426_ = _e1727;
+                                    phi_5310_ = _e1725;
+                                    phi_4404_ = (_e673 - 1u);
+                                    phi_4405_ = select(_e2186, false, _e717);
+                                    phi_4406_ = select(_e2188, _e711, _e717);
+                                    phi_4407_ = _e2192;
                                 } else {
-                                    phi_5329_ = _e671;
-                                    phi_5215_ = _e669;
-                                    phi_4402_ = _e709;
-                                    phi_4403_ = _e675;
-                                    phi_4404_ = _e711;
-                                    phi_4405_ = _e713;
+                                    phi_5426_ = _e671;
+                                    phi_5310_ = _e669;
+                                    phi_4404_ = _e673;
+                                    phi_4405_ = _e709;
+                                    phi_4406_ = _e711;
+                                    phi_4407_ = _e713;
                                 }
-                                let _e2193 = phi_5329_;
-                                let _e2195 = phi_5215_;
-                                let _e2197 = phi_4402_;
-                                let _e2199 = phi_4403_;
-                                let _e2201 = phi_4404_;
-                                let _e2203 = phi_4405_;
-                                phi_5328_ = _e2193;
-                                phi_5214_ = _e2195;
-                                phi_4406_ = _e2197;
-                                phi_4407_ = _e2199;
-                                phi_4408_ = _e2201;
-                                phi_4409_ = _e2203;
+                                let _e2196 = phi_5426_;
+                                let _e2198 = phi_5310_;
+                                let _e2200 = phi_4404_;
+                                let _e2202 = phi_4405_;
+                                let _e2204 = phi_4406_;
+                                let _e2206 = phi_4407_;
+                                phi_5425_ = _e2196;
+                                phi_5309_ = _e2198;
+                                phi_4408_ = _e2200;
+                                phi_4409_ = _e2202;
+                                phi_4410_ = _e2204;
+                                phi_4411_ = _e2206;
                             } else {
-                                phi_5328_ = _e671;
-                                phi_5214_ = _e669;
-                                phi_4406_ = bool();
-                                phi_4407_ = u32();
+                                phi_5425_ = _e671;
+                                phi_5309_ = _e669;
                                 phi_4408_ = u32();
-                                phi_4409_ = type_51();
+                                phi_4409_ = bool();
+                                phi_4410_ = u32();
+                                phi_4411_ = type_51();
                             }
-                            let _e2205 = phi_5328_;
-                            let _e2207 = phi_5214_;
-                            let _e2209 = phi_4406_;
-                            let _e2211 = phi_4407_;
-                            let _e2213 = phi_4408_;
-                            let _e2215 = phi_4409_;
-                            phi_5327_ = _e2205;
-                            phi_5213_ = _e2207;
-                            phi_1237_ = _e2209;
-                            phi_1240_ = _e2211;
-                            phi_1242_ = _e2213;
-                            phi_1244_ = _e2215;
-                            phi_4410_ = _e683;
+                            let _e2208 = phi_5425_;
+                            let _e2210 = phi_5309_;
+                            let _e2212 = phi_4408_;
+                            let _e2214 = phi_4409_;
+                            let _e2216 = phi_4410_;
+                            let _e2218 = phi_4411_;
+                            phi_5424_ = _e2208;
+                            phi_5308_ = _e2210;
+                            phi_1235_ = _e2212;
+                            phi_1238_ = _e2214;
+                            phi_1240_ = _e2216;
+                            phi_1242_ = _e2218;
+                            phi_4412_ = _e683;
                         } else {
-                            phi_5327_ = _e671;
-                            phi_5213_ = _e669;
-                            phi_1237_ = bool();
+                            phi_5424_ = _e671;
+                            phi_5308_ = _e669;
+                            phi_1235_ = u32();
+                            phi_1238_ = bool();
                             phi_1240_ = u32();
-                            phi_1242_ = u32();
-                            phi_1244_ = type_51();
-                            phi_4410_ = false;
+                            phi_1242_ = type_51();
+                            phi_4412_ = false;
                         }
-                        let _e2217 = phi_5327_;
-                        let _e2219 = phi_5213_;
-                        let _e2221 = phi_1237_;
-                        let _e2223 = phi_1240_;
-                        let _e2225 = phi_1242_;
-                        let _e2227 = phi_1244_;
-                        let _e2229 = phi_4410_;
+                        let _e2220 = phi_5424_;
+                        let _e2222 = phi_5308_;
+                        let _e2224 = phi_1235_;
+                        let _e2226 = phi_1238_;
+                        let _e2228 = phi_1240_;
+                        let _e2230 = phi_1242_;
+                        let _e2232 = phi_4412_;
                         continue;
                         continuing {
-                            phi_5032_ = _e2219;
-                            phi_4889_ = _e2217;
-                            phi_1236_ = _e2221;
-                            phi_1239_ = _e2223;
-                            phi_1241_ = _e2225;
-                            phi_1243_ = _e2227;
-                            phi_5212_ = _e2219;
-                            break if !(_e2229);
+                            phi_4976_ = _e2222;
+                            phi_4890_ = _e2220;
+                            phi_1234_ = _e2224;
+                            phi_1237_ = _e2226;
+                            phi_1239_ = _e2228;
+                            phi_1241_ = _e2230;
+                            phi_5307_ = _e2222;
+                            break if !(_e2232);
                         }
                     }
-                    let _e2232 = phi_5212_;
-                    if _e2232 {
+                    let _e2235 = phi_5307_;
+                    if _e2235 {
                         break;
                     }
-                    phi_4417_ = type_8(0u, 8u);
+                    phi_4419_ = type_8(0u, 8u);
                     loop {
-                        let _e2234 = phi_4417_;
-                        if (_e2234.member < _e2234.member_1) {
-                            phi_4418_ = type_8((_e2234.member + 1u), _e2234.member_1);
-                            phi_4441_ = type_8(1u, _e2234.member);
+                        let _e2237 = phi_4419_;
+                        if (_e2237.member < _e2237.member_1) {
+                            phi_4420_ = type_8((_e2237.member + 1u), _e2237.member_1);
+                            phi_4443_ = type_8(1u, _e2237.member);
                         } else {
-                            phi_4418_ = _e2234;
-                            phi_4441_ = type_8(0u, type_8().member_1);
+                            phi_4420_ = _e2237;
+                            phi_4443_ = type_8(0u, type_8().member_1);
                         }
-                        let _e2247 = phi_4418_;
-                        let _e2249 = phi_4441_;
-                        let _e2253 = (bitcast<i32>(_e2249.member) != 0i);
-                        if _e2253 {
-                            let _e2254 = (_e2249.member_1 < 8u);
-                            if _e2254 {
+                        let _e2250 = phi_4420_;
+                        let _e2252 = phi_4443_;
+                        let _e2256 = (bitcast<i32>(_e2252.member) != 0i);
+                        if _e2256 {
+                            let _e2257 = (_e2252.member_1 < 8u);
+                            if _e2257 {
                             } else {
-                                phi_5309_ = true;
+                                phi_5406_ = true;
                                 break;
                             }
-                            let _e2256 = local_9[_e2249.member_1];
-                            if (_e2256.member_3 != 4294967295u) {
-                                let _e2262 = -(_e530);
-                                let _e2263 = bitcast<u32>(_e2256.member);
-                                let _e2267 = (bitcast<i32>((_e2263 >> bitcast<u32>(23i))) & 255i);
-                                let _e2268 = (_e2267 + _e2262);
-                                if (_e2267 == 255i) {
-                                    phi_4514_ = _e2256.member;
+                            let _e2259 = local_9[_e2252.member_1];
+                            if (_e2259.member_3 != 4294967295u) {
+                                let _e2265 = -(_e530);
+                                let _e2266 = bitcast<u32>(_e2259.member);
+                                let _e2270 = (bitcast<i32>((_e2266 >> bitcast<u32>(23i))) & 255i);
+                                let _e2271 = (_e2270 + _e2265);
+                                if (_e2270 == 255i) {
+                                    phi_4516_ = _e2259.member;
                                 } else {
-                                    if (_e2267 > 0i) {
-                                        if (_e2268 > 0i) {
-                                            let _e2272 = (_e2268 < 255i);
-                                            if _e2272 {
-                                                phi_4493_ = bitcast<f32>((_e2263 + bitcast<u32>((_e2262 << bitcast<u32>(23i)))));
+                                    if (_e2270 > 0i) {
+                                        if (_e2271 > 0i) {
+                                            let _e2275 = (_e2271 < 255i);
+                                            if _e2275 {
+                                                phi_4495_ = bitcast<f32>((_e2266 + bitcast<u32>((_e2265 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_4493_ = f32();
+                                                phi_4495_ = f32();
                                             }
-                                            let _e2279 = phi_4493_;
-                                            phi_4495_ = _e2279;
-                                            phi_4496_ = select(true, false, _e2272);
+                                            let _e2282 = phi_4495_;
+                                            phi_4497_ = _e2282;
+                                            phi_4498_ = select(true, false, _e2275);
                                         } else {
-                                            phi_4495_ = f32();
-                                            phi_4496_ = true;
+                                            phi_4497_ = f32();
+                                            phi_4498_ = true;
                                         }
-                                        let _e2282 = phi_4495_;
-                                        let _e2284 = phi_4496_;
-                                        phi_4497_ = _e2282;
-                                        phi_4498_ = _e2284;
+                                        let _e2285 = phi_4497_;
+                                        let _e2287 = phi_4498_;
+                                        phi_4499_ = _e2285;
+                                        phi_4500_ = _e2287;
                                     } else {
-                                        phi_4497_ = f32();
-                                        phi_4498_ = true;
+                                        phi_4499_ = f32();
+                                        phi_4500_ = true;
                                     }
-                                    let _e2286 = phi_4497_;
-                                    let _e2288 = phi_4498_;
-                                    if _e2288 {
-                                        let _e2289 = (_e2263 & 2147483648u);
-                                        let _e2296 = ((_e2263 & 8388607u) | (select(0u, 1u, ((_e2263 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e2300 = (_e2296 == 0u);
-                                        if _e2300 {
-                                            phi_4835_ = bitcast<f32>(_e2289);
+                                    let _e2289 = phi_4499_;
+                                    let _e2291 = phi_4500_;
+                                    if _e2291 {
+                                        let _e2292 = (_e2266 & 2147483648u);
+                                        let _e2299 = ((_e2266 & 8388607u) | (select(0u, 1u, ((_e2266 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e2303 = (_e2299 == 0u);
+                                        if _e2303 {
+                                            phi_4837_ = bitcast<f32>(_e2292);
                                         } else {
-                                            let _e2305 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2296)), 32u, _e2300) - 8u);
-                                            let _e2308 = (_e2296 << bitcast<u32>((_e2305 & 31u)));
-                                            let _e2310 = ((_e2268 + select(0i, 1i, (_e2267 == 0i))) - bitcast<i32>(_e2305));
-                                            if (_e2310 >= 255i) {
-                                                phi_4825_ = bitcast<f32>((_e2289 | 2139095040u));
-                                                phi_4826_ = f32();
-                                                phi_4827_ = true;
+                                            let _e2308 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2299)), 32u, _e2303) - 8u);
+                                            let _e2311 = (_e2299 << bitcast<u32>((_e2308 & 31u)));
+                                            let _e2313 = ((_e2271 + select(0i, 1i, (_e2270 == 0i))) - bitcast<i32>(_e2308));
+                                            if (_e2313 >= 255i) {
+                                                phi_4827_ = bitcast<f32>((_e2292 | 2139095040u));
+                                                phi_4828_ = f32();
+                                                phi_4829_ = true;
                                             } else {
-                                                let _e2312 = (_e2310 > 0i);
-                                                if _e2312 {
-                                                    phi_4819_ = bitcast<f32>(((_e2289 | (bitcast<u32>(_e2310) << bitcast<u32>(23i))) | (_e2308 & 8388607u)));
-                                                    phi_4820_ = f32();
+                                                let _e2315 = (_e2313 > 0i);
+                                                if _e2315 {
+                                                    phi_4821_ = bitcast<f32>(((_e2292 | (bitcast<u32>(_e2313) << bitcast<u32>(23i))) | (_e2311 & 8388607u)));
+                                                    phi_4822_ = f32();
                                                 } else {
-                                                    if (_e2310 < -24i) {
-                                                        phi_4785_ = 26u;
+                                                    if (_e2313 < -24i) {
+                                                        phi_4787_ = 26u;
                                                     } else {
-                                                        phi_4785_ = bitcast<u32>((1i - _e2310));
+                                                        phi_4787_ = bitcast<u32>((1i - _e2313));
                                                     }
-                                                    let _e2317 = phi_4785_;
-                                                    let _e2318 = (_e2317 & 31u);
-                                                    let _e2320 = (_e2308 >> bitcast<u32>(_e2318));
-                                                    let _e2324 = (_e2308 & ((1u << bitcast<u32>(_e2318)) - 1u));
-                                                    let _e2328 = (1u << bitcast<u32>(((_e2317 - 1u) & 31u)));
-                                                    if (_e2324 > _e2328) {
-                                                        phi_4806_ = true;
+                                                    let _e2320 = phi_4787_;
+                                                    let _e2321 = (_e2320 & 31u);
+                                                    let _e2323 = (_e2311 >> bitcast<u32>(_e2321));
+                                                    let _e2327 = (_e2311 & ((1u << bitcast<u32>(_e2321)) - 1u));
+                                                    let _e2331 = (1u << bitcast<u32>(((_e2320 - 1u) & 31u)));
+                                                    if (_e2327 > _e2331) {
+                                                        phi_4808_ = true;
                                                     } else {
-                                                        if (_e2324 == _e2328) {
-                                                            phi_4803_ = ((_e2320 & 1u) == 1u);
+                                                        if (_e2327 == _e2331) {
+                                                            phi_4805_ = ((_e2323 & 1u) == 1u);
                                                         } else {
-                                                            phi_4803_ = false;
+                                                            phi_4805_ = false;
                                                         }
-                                                        let _e2334 = phi_4803_;
-                                                        phi_4806_ = _e2334;
+                                                        let _e2337 = phi_4805_;
+                                                        phi_4808_ = _e2337;
                                                     }
-                                                    let _e2336 = phi_4806_;
-                                                    phi_4819_ = f32();
-                                                    phi_4820_ = bitcast<f32>((_e2289 | (_e2320 + select(0u, 1u, _e2336))));
+                                                    let _e2339 = phi_4808_;
+                                                    phi_4821_ = f32();
+                                                    phi_4822_ = bitcast<f32>((_e2292 | (_e2323 + select(0u, 1u, _e2339))));
                                                 }
-                                                let _e2349 = phi_4819_;
-                                                let _e2351 = phi_4820_;
-                                                phi_4825_ = _e2349;
-                                                phi_4826_ = _e2351;
-                                                phi_4827_ = _e2312;
+                                                let _e2352 = phi_4821_;
+                                                let _e2354 = phi_4822_;
+                                                phi_4827_ = _e2352;
+                                                phi_4828_ = _e2354;
+                                                phi_4829_ = _e2315;
                                             }
-                                            let _e2355 = phi_4825_;
-                                            let _e2357 = phi_4826_;
-                                            let _e2359 = phi_4827_;
-                                            phi_4835_ = select(_e2357, _e2355, _e2359);
+                                            let _e2358 = phi_4827_;
+                                            let _e2360 = phi_4828_;
+                                            let _e2362 = phi_4829_;
+                                            phi_4837_ = select(_e2360, _e2358, _e2362);
                                         }
-                                        let _e2363 = phi_4835_;
-                                        phi_4513_ = _e2363;
+                                        let _e2366 = phi_4837_;
+                                        phi_4515_ = _e2366;
                                     } else {
-                                        phi_4513_ = _e2286;
+                                        phi_4515_ = _e2289;
                                     }
-                                    let _e2365 = phi_4513_;
-                                    phi_4514_ = _e2365;
+                                    let _e2368 = phi_4515_;
+                                    phi_4516_ = _e2368;
                                 }
-                                let _e2367 = phi_4514_;
-                                let _e2368 = bitcast<u32>(_e2367);
-                                if ((_e2368 & 2147483647u) >= 2139095040u) {
-                                    phi_4526_ = bitcast<f32>(((_e2368 & 2147483648u) | 2139095039u));
+                                let _e2370 = phi_4516_;
+                                let _e2371 = bitcast<u32>(_e2370);
+                                if ((_e2371 & 2147483647u) >= 2139095040u) {
+                                    phi_4528_ = bitcast<f32>(((_e2371 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_4526_ = _e2367;
+                                    phi_4528_ = _e2370;
                                 }
-                                let _e2375 = phi_4526_;
-                                phi_4531_ = type_24(_e2375, _e2256.member_1, _e2256.member_2, _e2256.member_3);
+                                let _e2378 = phi_4528_;
+                                phi_4533_ = type_24(_e2378, _e2259.member_1, _e2259.member_2, _e2259.member_3);
                             } else {
-                                phi_4531_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_4533_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e2378 = phi_4531_;
-                            if _e2254 {
+                            let _e2381 = phi_4533_;
+                            if _e2257 {
                             } else {
-                                phi_5309_ = true;
+                                phi_5406_ = true;
                                 break;
                             }
-                            local_9[_e2249.member_1] = type_24(_e2378.member, _e2378.member_1, _e2378.member_2, _e2378.member_3);
+                            local_9[_e2252.member_1] = type_24(_e2381.member, _e2381.member_1, _e2381.member_2, _e2381.member_3);
                         }
                         continue;
                         continuing {
-                            phi_4417_ = _e2247;
-                            phi_5309_ = _e2232;
-                            break if !(_e2253);
+                            phi_4419_ = _e2250;
+                            phi_5406_ = _e2235;
+                            break if !(_e2256);
                         }
                     }
-                    let _e2386 = phi_5309_;
-                    if _e2386 {
+                    let _e2389 = phi_5406_;
+                    if _e2389 {
                         break;
                     }
-                    let _e2387 = local_9;
+                    let _e2390 = local_9;
                     if _e161 {
                     } else {
                         break;
                     }
-                    global_6.member[_e159] = array<type_24, 8>(type_24(_e2387[0].member, _e2387[0].member_1, _e2387[0].member_2, _e2387[0].member_3), type_24(_e2387[1].member, _e2387[1].member_1, _e2387[1].member_2, _e2387[1].member_3), type_24(_e2387[2].member, _e2387[2].member_1, _e2387[2].member_2, _e2387[2].member_3), type_24(_e2387[3].member, _e2387[3].member_1, _e2387[3].member_2, _e2387[3].member_3), type_24(_e2387[4].member, _e2387[4].member_1, _e2387[4].member_2, _e2387[4].member_3), type_24(_e2387[5].member, _e2387[5].member_1, _e2387[5].member_2, _e2387[5].member_3), type_24(_e2387[6].member, _e2387[6].member_1, _e2387[6].member_2, _e2387[6].member_3), type_24(_e2387[7].member, _e2387[7].member_1, _e2387[7].member_2, _e2387[7].member_3));
+                    global_6.member[_e159] = array<type_24, 8>(type_24(_e2390[0].member, _e2390[0].member_1, _e2390[0].member_2, _e2390[0].member_3), type_24(_e2390[1].member, _e2390[1].member_1, _e2390[1].member_2, _e2390[1].member_3), type_24(_e2390[2].member, _e2390[2].member_1, _e2390[2].member_2, _e2390[2].member_3), type_24(_e2390[3].member, _e2390[3].member_1, _e2390[3].member_2, _e2390[3].member_3), type_24(_e2390[4].member, _e2390[4].member_1, _e2390[4].member_2, _e2390[4].member_3), type_24(_e2390[5].member, _e2390[5].member_1, _e2390[5].member_2, _e2390[5].member_3), type_24(_e2390[6].member, _e2390[6].member_1, _e2390[6].member_2, _e2390[6].member_3), type_24(_e2390[7].member, _e2390[7].member_1, _e2390[7].member_2, _e2390[7].member_3));
                 }
             }
             break;

@@ -123,141 +123,142 @@ fn function_() {
     var phi_1064_: u32;
     var phi_1072_: f32;
     var phi_1073_: f32;
-    var phi_4287_: bool;
-    var phi_4216_: f32;
-    var phi_1224_: bool;
+    var phi_4236_: bool;
+    var phi_4217_: f32;
+    var phi_1222_: u32;
+    var phi_1225_: bool;
     var phi_1227_: u32;
-    var phi_1229_: u32;
-    var phi_1231_: type_52;
-    var phi_1242_: bool;
-    var phi_1329_: bool;
-    var phi_1330_: u32;
-    var phi_1331_: type_52;
-    var phi_3221_: u32;
-    var phi_3222_: u32;
-    var phi_3232_: u32;
-    var phi_3234_: u32;
-    var phi_3235_: bool;
-    var phi_3255_: u32;
-    var phi_3256_: u32;
-    var phi_3260_: type_53;
-    var phi_3623_: type_52;
-    var phi_3700_: type_52;
-    var phi_3701_: u32;
-    var phi_3702_: type_52;
-    var phi_3704_: u32;
-    var phi_3705_: type_52;
-    var phi_3706_: bool;
-    var phi_3715_: type_52;
-    var phi_3720_: bool;
-    var phi_3722_: type_52;
-    var phi_4284_: bool;
-    var phi_4274_: f32;
-    var phi_1349_: type_4;
-    var phi_1350_: type_4;
-    var phi_1373_: type_4;
-    var phi_1394_: u32;
-    var phi_1486_: array<array<f32, 3>, 3>;
-    var phi_1639_: bool;
-    var phi_1668_: bool;
+    var phi_1229_: type_52;
+    var phi_1240_: bool;
+    var phi_1327_: bool;
+    var phi_1328_: u32;
+    var phi_1329_: type_52;
+    var phi_4233_: bool;
+    var phi_4222_: f32;
+    var phi_1347_: type_4;
+    var phi_1348_: type_4;
+    var phi_1371_: type_4;
+    var phi_1392_: u32;
+    var phi_1484_: array<array<f32, 3>, 3>;
+    var phi_1637_: bool;
+    var phi_1666_: bool;
+    var phi_2085_: f32;
+    var phi_2086_: f32;
     var phi_2087_: f32;
     var phi_2088_: f32;
-    var phi_2089_: f32;
-    var phi_2090_: f32;
+    var phi_2089_: vec3<f32>;
+    var phi_2090_: vec3<f32>;
     var phi_2091_: vec3<f32>;
     var phi_2092_: vec3<f32>;
-    var phi_2093_: vec3<f32>;
-    var phi_2094_: vec3<f32>;
-    var phi_2131_: bool;
-    var phi_2140_: vec3<f32>;
+    var phi_2129_: bool;
+    var phi_2138_: vec3<f32>;
+    var phi_2303_: f32;
     var phi_2305_: f32;
-    var phi_2307_: f32;
-    var phi_2308_: bool;
-    var phi_2328_: f32;
-    var phi_2329_: f32;
+    var phi_2306_: bool;
+    var phi_2326_: f32;
+    var phi_2327_: f32;
+    var phi_2350_: type_21;
     var phi_2352_: type_21;
-    var phi_2354_: type_21;
-    var phi_2355_: bool;
+    var phi_2353_: bool;
+    var phi_2357_: type_21;
+    var phi_2358_: type_21;
     var phi_2359_: type_21;
-    var phi_2360_: type_21;
-    var phi_2361_: type_21;
-    var phi_2362_: bool;
+    var phi_2360_: bool;
+    var phi_2364_: type_21;
+    var phi_2365_: bool;
     var phi_2366_: type_21;
     var phi_2367_: bool;
-    var phi_2368_: type_21;
-    var phi_2369_: bool;
+    var phi_2368_: bool;
+    var phi_2369_: type_21;
     var phi_2370_: bool;
-    var phi_2371_: type_21;
-    var phi_2372_: bool;
-    var phi_2373_: bool;
-    var phi_2381_: type_21;
-    var phi_2382_: bool;
-    var phi_2386_: type_21;
-    var phi_2398_: type_4;
-    var phi_2401_: type_21;
-    var phi_2399_: type_4;
-    var phi_2424_: type_4;
-    var phi_2456_: bool;
-    var phi_2457_: bool;
-    var phi_2478_: type_21;
-    var phi_2402_: type_21;
-    var phi_4275_: bool;
-    var phi_4679_: f32;
-    var phi_4678_: f32;
-    var phi_4438_: bool;
-    var phi_4677_: f32;
-    var phi_4437_: bool;
-    var phi_4676_: f32;
-    var phi_4436_: bool;
-    var phi_4588_: f32;
-    var phi_4435_: bool;
-    var phi_4553_: f32;
-    var phi_4444_: bool;
-    var phi_3726_: bool;
-    var phi_3727_: u32;
-    var phi_3728_: type_52;
-    var phi_4552_: f32;
-    var phi_4443_: bool;
-    var phi_3729_: bool;
-    var phi_3730_: u32;
+    var phi_2371_: bool;
+    var phi_2379_: type_21;
+    var phi_2380_: bool;
+    var phi_2384_: type_21;
+    var phi_2396_: type_4;
+    var phi_2399_: type_21;
+    var phi_2397_: type_4;
+    var phi_2422_: type_4;
+    var phi_2454_: bool;
+    var phi_2455_: bool;
+    var phi_2476_: type_21;
+    var phi_2400_: type_21;
+    var phi_4224_: bool;
+    var phi_4533_: f32;
+    var phi_4532_: f32;
+    var phi_4387_: bool;
+    var phi_4531_: f32;
+    var phi_4386_: bool;
+    var phi_4530_: f32;
+    var phi_4385_: bool;
+    var phi_4442_: f32;
+    var phi_4384_: bool;
+    var phi_4621_: bool;
+    var phi_4441_: f32;
+    var phi_3214_: u32;
+    var phi_3215_: u32;
+    var phi_3225_: u32;
+    var phi_3227_: u32;
+    var phi_3228_: bool;
+    var phi_3248_: u32;
+    var phi_3249_: u32;
+    var phi_3253_: type_53;
+    var phi_3616_: type_52;
+    var phi_3692_: type_52;
+    var phi_3693_: u32;
+    var phi_3694_: type_52;
+    var phi_3696_: u32;
+    var phi_3697_: type_52;
+    var phi_3698_: bool;
+    var phi_3707_: type_52;
+    var phi_3712_: bool;
+    var phi_3714_: type_52;
+    var phi_3718_: bool;
+    var phi_3719_: u32;
+    var phi_3720_: type_52;
+    var phi_3730_: type_52;
+    var phi_4649_: f32;
+    var phi_4538_: bool;
     var phi_3731_: u32;
-    var phi_3732_: type_52;
-    var phi_4551_: f32;
-    var phi_4442_: bool;
-    var phi_3733_: bool;
-    var phi_3734_: u32;
+    var phi_3732_: bool;
+    var phi_3733_: u32;
+    var phi_3734_: type_52;
+    var phi_4648_: f32;
+    var phi_4537_: bool;
     var phi_3735_: u32;
-    var phi_3736_: type_52;
-    var phi_4550_: f32;
-    var phi_4441_: bool;
-    var phi_1225_: bool;
+    var phi_3736_: bool;
+    var phi_3737_: u32;
+    var phi_3738_: type_52;
+    var phi_4647_: f32;
+    var phi_4536_: bool;
+    var phi_1223_: u32;
+    var phi_1226_: bool;
     var phi_1228_: u32;
-    var phi_1230_: u32;
-    var phi_1232_: type_52;
-    var phi_3737_: bool;
-    var phi_4440_: bool;
-    var phi_3744_: type_4;
-    var phi_3745_: type_4;
-    var phi_3768_: type_4;
-    var phi_3820_: f32;
+    var phi_1230_: type_52;
+    var phi_3739_: bool;
+    var phi_4535_: bool;
+    var phi_3746_: type_4;
+    var phi_3747_: type_4;
+    var phi_3770_: type_4;
     var phi_3822_: f32;
-    var phi_3823_: bool;
     var phi_3824_: f32;
     var phi_3825_: bool;
-    var phi_4112_: u32;
-    var phi_4130_: bool;
-    var phi_4133_: bool;
-    var phi_4146_: f32;
-    var phi_4147_: f32;
-    var phi_4152_: f32;
-    var phi_4153_: f32;
-    var phi_4154_: bool;
-    var phi_4162_: f32;
-    var phi_3840_: f32;
-    var phi_3841_: f32;
-    var phi_3853_: f32;
-    var phi_3858_: type_21;
-    var phi_4532_: bool;
+    var phi_3826_: f32;
+    var phi_3827_: bool;
+    var phi_4114_: u32;
+    var phi_4132_: bool;
+    var phi_4135_: bool;
+    var phi_4148_: f32;
+    var phi_4149_: f32;
+    var phi_4154_: f32;
+    var phi_4155_: f32;
+    var phi_4156_: bool;
+    var phi_4164_: f32;
+    var phi_3842_: f32;
+    var phi_3843_: f32;
+    var phi_3855_: f32;
+    var phi_3860_: type_21;
+    var phi_4629_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -622,1136 +623,1146 @@ fn function_() {
                         break;
                     }
                     let _e651 = local[_e635];
-                    phi_4287_ = false;
-                    phi_4216_ = _e618;
-                    phi_1224_ = (_e620 <= _e618);
-                    phi_1227_ = ((3u * _e95) + 1u);
-                    phi_1229_ = 0u;
-                    phi_1231_ = type_52(type_25(vec4<f32>((f32(_e626) * _e145), (f32(_e632) * _e145), (f32(_e638) * _e145), 0f), vec4<f32>((f32(_e643) * _e145), (f32(_e647) * _e145), (f32(_e651) * _e145), 0f)), select(0u, 2147483648u, (_e95 == 0u)));
+                    phi_4236_ = false;
+                    phi_4217_ = _e618;
+                    phi_1222_ = ((3u * _e95) + 1u);
+                    phi_1225_ = (_e620 <= _e618);
+                    phi_1227_ = 0u;
+                    phi_1229_ = type_52(type_25(vec4<f32>((f32(_e626) * _e145), (f32(_e632) * _e145), (f32(_e638) * _e145), 0f), vec4<f32>((f32(_e643) * _e145), (f32(_e647) * _e145), (f32(_e651) * _e145), 0f)), select(0u, 2147483648u, (_e95 == 0u)));
                     loop {
-                        let _e661 = phi_4287_;
-                        let _e663 = phi_4216_;
-                        let _e665 = phi_1224_;
-                        let _e667 = phi_1227_;
-                        let _e669 = phi_1229_;
-                        let _e671 = phi_1231_;
-                        if _e665 {
-                            phi_1242_ = true;
+                        let _e661 = phi_4236_;
+                        let _e663 = phi_4217_;
+                        let _e665 = phi_1222_;
+                        let _e667 = phi_1225_;
+                        let _e669 = phi_1227_;
+                        let _e671 = phi_1229_;
+                        if _e667 {
+                            phi_1240_ = true;
                         } else {
-                            phi_1242_ = (_e669 > 0u);
+                            phi_1240_ = (_e669 > 0u);
                         }
-                        let _e674 = phi_1242_;
+                        let _e674 = phi_1240_;
                         if _e674 {
-                            let _e675 = (_e667 > 0u);
+                            let _e675 = (_e665 > 0u);
                             if _e675 {
-                                if _e665 {
-                                    phi_1329_ = _e665;
-                                    phi_1330_ = _e669;
-                                    phi_1331_ = _e671;
+                                if _e667 {
+                                    phi_1327_ = _e667;
+                                    phi_1328_ = _e669;
+                                    phi_1329_ = _e671;
                                 } else {
                                     let _e676 = (_e669 - 1u);
                                     let _e677 = (_e676 % 128u);
                                     let _e678 = (_e677 < 128u);
                                     if _e678 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e680 = local_7[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e682 = local_6[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e684 = local_5[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e686 = local_4[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e688 = local_3[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e690 = local_2[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e695 = local_8[_e677];
                                     if _e678 {
                                     } else {
-                                        phi_4440_ = true;
+                                        phi_4535_ = true;
                                         break;
                                     }
                                     let _e698 = local_10[_e677];
-                                    phi_1329_ = (_e698 <= _e663);
-                                    phi_1330_ = _e676;
-                                    phi_1331_ = type_52(type_25(vec4<f32>(_e680, _e682, _e684, 0f), vec4<f32>(_e686, _e688, _e690, 0f)), _e695);
+                                    phi_1327_ = (_e698 <= _e663);
+                                    phi_1328_ = _e676;
+                                    phi_1329_ = type_52(type_25(vec4<f32>(_e680, _e682, _e684, 0f), vec4<f32>(_e686, _e688, _e690, 0f)), _e695);
                                 }
-                                let _e701 = phi_1329_;
-                                let _e703 = phi_1330_;
-                                let _e705 = phi_1331_;
+                                let _e701 = phi_1327_;
+                                let _e703 = phi_1328_;
+                                let _e705 = phi_1329_;
                                 if _e701 {
-                                    if ((_e705.member_1 & 2147483648u) != 0u) {
-                                        phi_4284_ = _e661;
-                                        phi_4274_ = _e663;
-                                        phi_1349_ = type_4(0u, ((_e705.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e709 = ((_e705.member_1 & 2147483648u) != 0u);
+                                    if _e709 {
+                                        phi_4233_ = _e661;
+                                        phi_4222_ = _e663;
+                                        phi_1347_ = type_4(0u, ((_e705.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1172 = phi_4284_;
-                                            let _e1174 = phi_4274_;
-                                            let _e1176 = phi_1349_;
-                                            if (_e1176.member < _e1176.member_1) {
-                                                phi_1350_ = type_4((_e1176.member + 1u), _e1176.member_1);
-                                                phi_1373_ = type_4(1u, _e1176.member);
+                                            let _e716 = phi_4233_;
+                                            let _e718 = phi_4222_;
+                                            let _e720 = phi_1347_;
+                                            if (_e720.member < _e720.member_1) {
+                                                phi_1348_ = type_4((_e720.member + 1u), _e720.member_1);
+                                                phi_1371_ = type_4(1u, _e720.member);
                                             } else {
-                                                phi_1350_ = _e1176;
-                                                phi_1373_ = type_4(0u, type_4().member_1);
+                                                phi_1348_ = _e720;
+                                                phi_1371_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1189 = phi_1350_;
-                                            let _e1191 = phi_1373_;
-                                            let _e1195 = (bitcast<i32>(_e1191.member) != 0i);
-                                            if _e1195 {
-                                                let _e1196 = ((_e705.member_1 & 268435455u) + _e1191.member_1);
-                                                let _e1197 = (_e1196 < _e97);
-                                                if _e1197 {
-                                                    if _e1197 {
+                                            let _e733 = phi_1348_;
+                                            let _e735 = phi_1371_;
+                                            let _e739 = (bitcast<i32>(_e735.member) != 0i);
+                                            if _e739 {
+                                                let _e740 = ((_e705.member_1 & 268435455u) + _e735.member_1);
+                                                let _e741 = (_e740 < _e97);
+                                                if _e741 {
+                                                    if _e741 {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1201 = global_2.member[_e1196].member_1;
-                                                    phi_1394_ = _e1201;
+                                                    let _e745 = global_2.member[_e740].member_1;
+                                                    phi_1392_ = _e745;
                                                 } else {
-                                                    phi_1394_ = 4294967295u;
+                                                    phi_1392_ = 4294967295u;
                                                 }
-                                                let _e1203 = phi_1394_;
-                                                if (_e1196 >= _e97) {
-                                                    phi_1486_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e747 = phi_1392_;
+                                                if (_e740 >= _e97) {
+                                                    phi_1484_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1197 {
+                                                    if _e741 {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
                                                     if (_e623 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1210 = global_2.member[_e1196].member[_e623];
+                                                    let _e754 = global_2.member[_e740].member[_e623];
                                                     if (_e629 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1216 = global_2.member[_e1196].member[_e629];
+                                                    let _e760 = global_2.member[_e740].member[_e629];
                                                     if (_e635 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1222 = global_2.member[_e1196].member[_e635];
-                                                    let _e1224 = (3u + _e623);
-                                                    if (_e1224 < 9u) {
+                                                    let _e766 = global_2.member[_e740].member[_e635];
+                                                    let _e768 = (3u + _e623);
+                                                    if (_e768 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1230 = global_2.member[_e1196].member[_e1224];
-                                                    let _e1231 = (3u + _e629);
-                                                    if (_e1231 < 9u) {
+                                                    let _e774 = global_2.member[_e740].member[_e768];
+                                                    let _e775 = (3u + _e629);
+                                                    if (_e775 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1237 = global_2.member[_e1196].member[_e1231];
-                                                    let _e1238 = (3u + _e635);
-                                                    if (_e1238 < 9u) {
+                                                    let _e781 = global_2.member[_e740].member[_e775];
+                                                    let _e782 = (3u + _e635);
+                                                    if (_e782 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1244 = global_2.member[_e1196].member[_e1238];
-                                                    let _e1246 = (6u + _e623);
-                                                    if (_e1246 < 9u) {
+                                                    let _e788 = global_2.member[_e740].member[_e782];
+                                                    let _e790 = (6u + _e623);
+                                                    if (_e790 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1252 = global_2.member[_e1196].member[_e1246];
-                                                    let _e1253 = (6u + _e629);
-                                                    if (_e1253 < 9u) {
+                                                    let _e796 = global_2.member[_e740].member[_e790];
+                                                    let _e797 = (6u + _e629);
+                                                    if (_e797 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1259 = global_2.member[_e1196].member[_e1253];
-                                                    let _e1260 = (6u + _e635);
-                                                    if (_e1260 < 9u) {
+                                                    let _e803 = global_2.member[_e740].member[_e797];
+                                                    let _e804 = (6u + _e635);
+                                                    if (_e804 < 9u) {
                                                     } else {
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = true;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = true;
                                                         break;
                                                     }
-                                                    let _e1266 = global_2.member[_e1196].member[_e1260];
-                                                    phi_1486_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1210, _e1216, _e1222), array<f32, 3>(_e1230, _e1237, _e1244), array<f32, 3>(_e1252, _e1259, _e1266));
+                                                    let _e810 = global_2.member[_e740].member[_e804];
+                                                    phi_1484_ = array<array<f32, 3>, 3>(array<f32, 3>(_e754, _e760, _e766), array<f32, 3>(_e774, _e781, _e788), array<f32, 3>(_e796, _e803, _e810));
                                                 }
-                                                let _e1270 = phi_1486_;
-                                                let _e1277 = (_e1270[0][2] - _e466);
-                                                let _e1280 = (((_e1270[0][0] - _e329) * _e505) - (_e1277 * _e369));
-                                                let _e1283 = (((_e1270[0][1] - _e398) * _e505) - (_e1277 * _e437));
-                                                let _e1290 = (_e1270[1][2] - _e466);
-                                                let _e1293 = (((_e1270[1][0] - _e329) * _e505) - (_e1290 * _e369));
-                                                let _e1296 = (((_e1270[1][1] - _e398) * _e505) - (_e1290 * _e437));
-                                                let _e1303 = (_e1270[2][2] - _e466);
-                                                let _e1306 = (((_e1270[2][0] - _e329) * _e505) - (_e1303 * _e369));
-                                                let _e1309 = (((_e1270[2][1] - _e398) * _e505) - (_e1303 * _e437));
-                                                let _e1310 = (_e1306 * _e1296);
-                                                let _e1311 = (_e1309 * _e1293);
-                                                let _e1312 = (_e1280 * _e1309);
-                                                let _e1313 = (_e1283 * _e1306);
-                                                let _e1314 = (_e1293 * _e1283);
-                                                let _e1315 = (_e1296 * _e1280);
-                                                let _e1320 = (((_e1310 >= _e1311) && (_e1312 >= _e1313)) && (_e1314 >= _e1315));
-                                                if (_e1320 || (((_e1310 <= _e1311) && (_e1312 <= _e1313)) && (_e1314 <= _e1315))) {
-                                                    let _e1327 = select(-1f, 1f, _e1320);
-                                                    let _e1329 = ((_e1310 - _e1311) * _e1327);
-                                                    let _e1331 = select(0f, _e1329, (_e1329 > 0f));
-                                                    let _e1333 = ((_e1312 - _e1313) * _e1327);
-                                                    let _e1335 = select(0f, _e1333, (_e1333 > 0f));
-                                                    let _e1337 = ((_e1314 - _e1315) * _e1327);
-                                                    let _e1339 = select(0f, _e1337, (_e1337 > 0f));
-                                                    let _e1341 = ((_e1331 + _e1335) + _e1339);
-                                                    if (_e1341 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2371_ = type_21();
-                                                        phi_2372_ = true;
-                                                        phi_2373_ = false;
+                                                let _e814 = phi_1484_;
+                                                let _e821 = (_e814[0][2] - _e466);
+                                                let _e824 = (((_e814[0][0] - _e329) * _e505) - (_e821 * _e369));
+                                                let _e827 = (((_e814[0][1] - _e398) * _e505) - (_e821 * _e437));
+                                                let _e834 = (_e814[1][2] - _e466);
+                                                let _e837 = (((_e814[1][0] - _e329) * _e505) - (_e834 * _e369));
+                                                let _e840 = (((_e814[1][1] - _e398) * _e505) - (_e834 * _e437));
+                                                let _e847 = (_e814[2][2] - _e466);
+                                                let _e850 = (((_e814[2][0] - _e329) * _e505) - (_e847 * _e369));
+                                                let _e853 = (((_e814[2][1] - _e398) * _e505) - (_e847 * _e437));
+                                                let _e854 = (_e850 * _e840);
+                                                let _e855 = (_e853 * _e837);
+                                                let _e856 = (_e824 * _e853);
+                                                let _e857 = (_e827 * _e850);
+                                                let _e858 = (_e837 * _e827);
+                                                let _e859 = (_e840 * _e824);
+                                                let _e864 = (((_e854 >= _e855) && (_e856 >= _e857)) && (_e858 >= _e859));
+                                                if (_e864 || (((_e854 <= _e855) && (_e856 <= _e857)) && (_e858 <= _e859))) {
+                                                    let _e871 = select(-1f, 1f, _e864);
+                                                    let _e873 = ((_e854 - _e855) * _e871);
+                                                    let _e875 = select(0f, _e873, (_e873 > 0f));
+                                                    let _e877 = ((_e856 - _e857) * _e871);
+                                                    let _e879 = select(0f, _e877, (_e877 > 0f));
+                                                    let _e881 = ((_e858 - _e859) * _e871);
+                                                    let _e883 = select(0f, _e881, (_e881 > 0f));
+                                                    let _e885 = ((_e875 + _e879) + _e883);
+                                                    if (_e885 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2369_ = type_21();
+                                                        phi_2370_ = true;
+                                                        phi_2371_ = false;
                                                     } else {
-                                                        let _e1344 = select(_e1293, _e1280, (_e1280 < _e1293));
-                                                        if (select(_e1306, _e1344, (_e1344 < _e1306)) > 0f) {
-                                                            phi_1639_ = true;
+                                                        let _e888 = select(_e837, _e824, (_e824 < _e837));
+                                                        if (select(_e850, _e888, (_e888 < _e850)) > 0f) {
+                                                            phi_1637_ = true;
                                                         } else {
-                                                            let _e1349 = select(_e1293, _e1280, (_e1280 > _e1293));
-                                                            phi_1639_ = (select(_e1306, _e1349, (_e1349 > _e1306)) < 0f);
+                                                            let _e893 = select(_e837, _e824, (_e824 > _e837));
+                                                            phi_1637_ = (select(_e850, _e893, (_e893 > _e850)) < 0f);
                                                         }
-                                                        let _e1354 = phi_1639_;
-                                                        if _e1354 {
-                                                            phi_2368_ = type_21();
-                                                            phi_2369_ = true;
-                                                            phi_2370_ = false;
+                                                        let _e898 = phi_1637_;
+                                                        if _e898 {
+                                                            phi_2366_ = type_21();
+                                                            phi_2367_ = true;
+                                                            phi_2368_ = false;
                                                         } else {
-                                                            let _e1356 = select(_e1296, _e1283, (_e1283 < _e1296));
-                                                            if (select(_e1309, _e1356, (_e1356 < _e1309)) > 0f) {
-                                                                phi_1668_ = true;
+                                                            let _e900 = select(_e840, _e827, (_e827 < _e840));
+                                                            if (select(_e853, _e900, (_e900 < _e853)) > 0f) {
+                                                                phi_1666_ = true;
                                                             } else {
-                                                                let _e1361 = select(_e1296, _e1283, (_e1283 > _e1296));
-                                                                phi_1668_ = (select(_e1309, _e1361, (_e1361 > _e1309)) < 0f);
+                                                                let _e905 = select(_e840, _e827, (_e827 > _e840));
+                                                                phi_1666_ = (select(_e853, _e905, (_e905 > _e853)) < 0f);
                                                             }
-                                                            let _e1366 = phi_1668_;
-                                                            if _e1366 {
-                                                                phi_2366_ = type_21();
-                                                                phi_2367_ = false;
+                                                            let _e910 = phi_1666_;
+                                                            if _e910 {
+                                                                phi_2364_ = type_21();
+                                                                phi_2365_ = false;
                                                             } else {
-                                                                let _e1368 = select(_e1270[1][0], _e1270[0][0], (_e1270[0][0] < _e1270[1][0]));
-                                                                let _e1372 = select(_e1270[1][0], _e1270[0][0], (_e1270[0][0] > _e1270[1][0]));
-                                                                let _e1376 = select(_e1270[1][1], _e1270[0][1], (_e1270[0][1] < _e1270[1][1]));
-                                                                let _e1380 = select(_e1270[1][1], _e1270[0][1], (_e1270[0][1] > _e1270[1][1]));
-                                                                let _e1384 = select(_e1270[1][2], _e1270[0][2], (_e1270[0][2] < _e1270[1][2]));
-                                                                let _e1388 = select(_e1270[1][2], _e1270[0][2], (_e1270[0][2] > _e1270[1][2]));
-                                                                let _e1393 = ((select(_e1270[2][0], _e1368, (_e1368 < _e1270[2][0])) - _e367) * _e372);
-                                                                let _e1394 = ((select(_e1270[2][0], _e1372, (_e1372 > _e1270[2][0])) - _e368) * _e372);
-                                                                let _e1397 = ((select(_e1270[2][1], _e1376, (_e1376 < _e1270[2][1])) - _e435) * _e440);
-                                                                let _e1398 = ((select(_e1270[2][1], _e1380, (_e1380 > _e1270[2][1])) - _e436) * _e440);
-                                                                let _e1401 = ((select(_e1270[2][2], _e1384, (_e1384 < _e1270[2][2])) - _e503) * _e508);
-                                                                let _e1402 = ((select(_e1270[2][2], _e1388, (_e1388 > _e1270[2][2])) - _e504) * _e508);
-                                                                let _e1404 = select(_e1402, _e1401, (_e1401 < _e1402));
-                                                                let _e1406 = select(_e1402, _e1401, (_e1401 > _e1402));
-                                                                let _e1408 = select(_e1394, _e1393, (_e1393 < _e1394));
-                                                                let _e1410 = select(_e1398, _e1397, (_e1397 < _e1398));
-                                                                let _e1412 = select(_e1410, _e1408, (_e1408 > _e1410));
-                                                                let _e1414 = select(_e1404, _e1412, (_e1412 > _e1404));
-                                                                let _e1416 = select(_e1394, _e1393, (_e1393 > _e1394));
-                                                                let _e1418 = select(_e1398, _e1397, (_e1397 > _e1398));
-                                                                let _e1420 = select(_e1418, _e1416, (_e1416 < _e1418));
-                                                                let _e1422 = select(_e1406, _e1420, (_e1420 < _e1406));
-                                                                let _e1423 = -(_e1404);
-                                                                let _e1429 = select(_e620, _e1414, (_e1414 > _e620));
-                                                                if (_e1429 > (_e1422 + (select(_e1423, _e1406, (_e1406 > _e1423)) * 0.0000019073523f))) {
-                                                                    phi_2361_ = type_21();
-                                                                    phi_2362_ = true;
+                                                                let _e912 = select(_e814[1][0], _e814[0][0], (_e814[0][0] < _e814[1][0]));
+                                                                let _e916 = select(_e814[1][0], _e814[0][0], (_e814[0][0] > _e814[1][0]));
+                                                                let _e920 = select(_e814[1][1], _e814[0][1], (_e814[0][1] < _e814[1][1]));
+                                                                let _e924 = select(_e814[1][1], _e814[0][1], (_e814[0][1] > _e814[1][1]));
+                                                                let _e928 = select(_e814[1][2], _e814[0][2], (_e814[0][2] < _e814[1][2]));
+                                                                let _e932 = select(_e814[1][2], _e814[0][2], (_e814[0][2] > _e814[1][2]));
+                                                                let _e937 = ((select(_e814[2][0], _e912, (_e912 < _e814[2][0])) - _e367) * _e372);
+                                                                let _e938 = ((select(_e814[2][0], _e916, (_e916 > _e814[2][0])) - _e368) * _e372);
+                                                                let _e941 = ((select(_e814[2][1], _e920, (_e920 < _e814[2][1])) - _e435) * _e440);
+                                                                let _e942 = ((select(_e814[2][1], _e924, (_e924 > _e814[2][1])) - _e436) * _e440);
+                                                                let _e945 = ((select(_e814[2][2], _e928, (_e928 < _e814[2][2])) - _e503) * _e508);
+                                                                let _e946 = ((select(_e814[2][2], _e932, (_e932 > _e814[2][2])) - _e504) * _e508);
+                                                                let _e948 = select(_e946, _e945, (_e945 < _e946));
+                                                                let _e950 = select(_e946, _e945, (_e945 > _e946));
+                                                                let _e952 = select(_e938, _e937, (_e937 < _e938));
+                                                                let _e954 = select(_e942, _e941, (_e941 < _e942));
+                                                                let _e956 = select(_e954, _e952, (_e952 > _e954));
+                                                                let _e958 = select(_e948, _e956, (_e956 > _e948));
+                                                                let _e960 = select(_e938, _e937, (_e937 > _e938));
+                                                                let _e962 = select(_e942, _e941, (_e941 > _e942));
+                                                                let _e964 = select(_e962, _e960, (_e960 < _e962));
+                                                                let _e966 = select(_e950, _e964, (_e964 < _e950));
+                                                                let _e967 = -(_e948);
+                                                                let _e973 = select(_e620, _e958, (_e958 > _e620));
+                                                                if (_e973 > (_e966 + (select(_e967, _e950, (_e950 > _e967)) * 0.0000019073523f))) {
+                                                                    phi_2359_ = type_21();
+                                                                    phi_2360_ = true;
                                                                 } else {
-                                                                    let _e1431 = (_e1429 > _e1174);
-                                                                    if _e1431 {
-                                                                        phi_2360_ = type_21();
+                                                                    let _e975 = (_e973 > _e718);
+                                                                    if _e975 {
+                                                                        phi_2358_ = type_21();
                                                                     } else {
-                                                                        let _e1432 = vec3<f32>(_e1270[0][0], _e1270[0][1], _e1270[0][2]);
-                                                                        let _e1433 = vec3<f32>(_e1270[1][0], _e1270[1][1], _e1270[1][2]);
-                                                                        let _e1434 = vec3<f32>(_e1270[2][0], _e1270[2][1], _e1270[2][2]);
-                                                                        let _e1435 = (_e1270[1][0] - _e1270[0][0]);
-                                                                        let _e1436 = (_e1270[1][1] - _e1270[0][1]);
-                                                                        let _e1437 = (_e1270[1][2] - _e1270[0][2]);
-                                                                        let _e1438 = vec3<f32>(_e1435, _e1436, _e1437);
-                                                                        let _e1439 = (_e1270[2][0] - _e1270[1][0]);
-                                                                        let _e1440 = (_e1270[2][1] - _e1270[1][1]);
-                                                                        let _e1441 = (_e1270[2][2] - _e1270[1][2]);
-                                                                        let _e1442 = vec3<f32>(_e1439, _e1440, _e1441);
-                                                                        let _e1443 = (_e1270[0][0] - _e1270[2][0]);
-                                                                        let _e1444 = (_e1270[0][1] - _e1270[2][1]);
-                                                                        let _e1445 = (_e1270[0][2] - _e1270[2][2]);
-                                                                        let _e1446 = vec3<f32>(_e1443, _e1444, _e1445);
-                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
-                                                                        let _e1452 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
-                                                                        let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
-                                                                        let _e1457 = bitcast<f32>((bitcast<u32>(_e1437) & 2147483647u));
-                                                                        let _e1459 = select(_e1457, _e1454, (_e1454 > _e1457));
-                                                                        let _e1462 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
-                                                                        let _e1465 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
-                                                                        let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
-                                                                        let _e1470 = bitcast<f32>((bitcast<u32>(_e1441) & 2147483647u));
-                                                                        let _e1472 = select(_e1470, _e1467, (_e1467 > _e1470));
-                                                                        let _e1475 = bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u));
-                                                                        let _e1478 = bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u));
-                                                                        let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
-                                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1445) & 2147483647u));
-                                                                        let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
-                                                                        let _e1487 = select(_e1472, _e1459, (_e1459 > _e1472));
-                                                                        let _e1489 = select(_e1485, _e1487, (_e1487 > _e1485));
-                                                                        if (_e1459 == _e1489) {
-                                                                            phi_2087_ = _e1296;
-                                                                            phi_2088_ = _e1293;
-                                                                            phi_2089_ = _e1283;
-                                                                            phi_2090_ = _e1280;
-                                                                            phi_2091_ = _e1432;
-                                                                            phi_2092_ = _e1446;
-                                                                            phi_2093_ = _e1442;
-                                                                            phi_2094_ = _e1438;
+                                                                        let _e976 = vec3<f32>(_e814[0][0], _e814[0][1], _e814[0][2]);
+                                                                        let _e977 = vec3<f32>(_e814[1][0], _e814[1][1], _e814[1][2]);
+                                                                        let _e978 = vec3<f32>(_e814[2][0], _e814[2][1], _e814[2][2]);
+                                                                        let _e979 = (_e814[1][0] - _e814[0][0]);
+                                                                        let _e980 = (_e814[1][1] - _e814[0][1]);
+                                                                        let _e981 = (_e814[1][2] - _e814[0][2]);
+                                                                        let _e982 = vec3<f32>(_e979, _e980, _e981);
+                                                                        let _e983 = (_e814[2][0] - _e814[1][0]);
+                                                                        let _e984 = (_e814[2][1] - _e814[1][1]);
+                                                                        let _e985 = (_e814[2][2] - _e814[1][2]);
+                                                                        let _e986 = vec3<f32>(_e983, _e984, _e985);
+                                                                        let _e987 = (_e814[0][0] - _e814[2][0]);
+                                                                        let _e988 = (_e814[0][1] - _e814[2][1]);
+                                                                        let _e989 = (_e814[0][2] - _e814[2][2]);
+                                                                        let _e990 = vec3<f32>(_e987, _e988, _e989);
+                                                                        let _e993 = bitcast<f32>((bitcast<u32>(_e979) & 2147483647u));
+                                                                        let _e996 = bitcast<f32>((bitcast<u32>(_e980) & 2147483647u));
+                                                                        let _e998 = select(_e996, _e993, (_e993 > _e996));
+                                                                        let _e1001 = bitcast<f32>((bitcast<u32>(_e981) & 2147483647u));
+                                                                        let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
+                                                                        let _e1006 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
+                                                                        let _e1009 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
+                                                                        let _e1011 = select(_e1009, _e1006, (_e1006 > _e1009));
+                                                                        let _e1014 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
+                                                                        let _e1016 = select(_e1014, _e1011, (_e1011 > _e1014));
+                                                                        let _e1019 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
+                                                                        let _e1022 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
+                                                                        let _e1024 = select(_e1022, _e1019, (_e1019 > _e1022));
+                                                                        let _e1027 = bitcast<f32>((bitcast<u32>(_e989) & 2147483647u));
+                                                                        let _e1029 = select(_e1027, _e1024, (_e1024 > _e1027));
+                                                                        let _e1031 = select(_e1016, _e1003, (_e1003 > _e1016));
+                                                                        let _e1033 = select(_e1029, _e1031, (_e1031 > _e1029));
+                                                                        if (_e1003 == _e1033) {
+                                                                            phi_2085_ = _e840;
+                                                                            phi_2086_ = _e837;
+                                                                            phi_2087_ = _e827;
+                                                                            phi_2088_ = _e824;
+                                                                            phi_2089_ = _e976;
+                                                                            phi_2090_ = _e990;
+                                                                            phi_2091_ = _e986;
+                                                                            phi_2092_ = _e982;
                                                                         } else {
-                                                                            let _e1491 = (_e1472 == _e1489);
-                                                                            let _e1496 = vec3(_e1491);
-                                                                            phi_2087_ = select(_e1283, _e1309, _e1491);
-                                                                            phi_2088_ = select(_e1280, _e1306, _e1491);
-                                                                            phi_2089_ = select(_e1309, _e1296, _e1491);
-                                                                            phi_2090_ = select(_e1306, _e1293, _e1491);
-                                                                            phi_2091_ = select(_e1434, _e1433, _e1496);
-                                                                            phi_2092_ = select(_e1442, _e1438, _e1496);
-                                                                            phi_2093_ = select(_e1438, _e1446, _e1496);
-                                                                            phi_2094_ = select(_e1446, _e1442, _e1496);
+                                                                            let _e1035 = (_e1016 == _e1033);
+                                                                            let _e1040 = vec3(_e1035);
+                                                                            phi_2085_ = select(_e827, _e853, _e1035);
+                                                                            phi_2086_ = select(_e824, _e850, _e1035);
+                                                                            phi_2087_ = select(_e853, _e840, _e1035);
+                                                                            phi_2088_ = select(_e850, _e837, _e1035);
+                                                                            phi_2089_ = select(_e978, _e977, _e1040);
+                                                                            phi_2090_ = select(_e986, _e982, _e1040);
+                                                                            phi_2091_ = select(_e982, _e990, _e1040);
+                                                                            phi_2092_ = select(_e990, _e986, _e1040);
                                                                         }
-                                                                        let _e1502 = phi_2087_;
-                                                                        let _e1504 = phi_2088_;
-                                                                        let _e1506 = phi_2089_;
-                                                                        let _e1508 = phi_2090_;
-                                                                        let _e1510 = phi_2091_;
-                                                                        let _e1512 = phi_2092_;
-                                                                        let _e1514 = phi_2093_;
-                                                                        let _e1516 = phi_2094_;
-                                                                        let _e1523 = ((_e1514.y * _e1512.z) - (_e1512.y * _e1514.z));
-                                                                        let _e1528 = ((_e1514.z * _e1512.x) - (_e1512.z * _e1514.x));
-                                                                        let _e1531 = ((_e1514.x * _e1512.y) - (_e1512.x * _e1514.y));
-                                                                        if (_e1331 >= _e1335) {
-                                                                            phi_2131_ = select(true, false, (_e1331 >= _e1339));
+                                                                        let _e1046 = phi_2085_;
+                                                                        let _e1048 = phi_2086_;
+                                                                        let _e1050 = phi_2087_;
+                                                                        let _e1052 = phi_2088_;
+                                                                        let _e1054 = phi_2089_;
+                                                                        let _e1056 = phi_2090_;
+                                                                        let _e1058 = phi_2091_;
+                                                                        let _e1060 = phi_2092_;
+                                                                        let _e1067 = ((_e1058.y * _e1056.z) - (_e1056.y * _e1058.z));
+                                                                        let _e1072 = ((_e1058.z * _e1056.x) - (_e1056.z * _e1058.x));
+                                                                        let _e1075 = ((_e1058.x * _e1056.y) - (_e1056.x * _e1058.y));
+                                                                        if (_e875 >= _e879) {
+                                                                            phi_2129_ = select(true, false, (_e875 >= _e883));
                                                                         } else {
-                                                                            phi_2131_ = true;
+                                                                            phi_2129_ = true;
                                                                         }
-                                                                        let _e1536 = phi_2131_;
-                                                                        if _e1536 {
-                                                                            phi_2140_ = select(_e1434, _e1433, vec3((_e1335 >= _e1339)));
+                                                                        let _e1080 = phi_2129_;
+                                                                        if _e1080 {
+                                                                            phi_2138_ = select(_e978, _e977, vec3((_e879 >= _e883)));
                                                                         } else {
-                                                                            phi_2140_ = _e1432;
+                                                                            phi_2138_ = _e976;
                                                                         }
-                                                                        let _e1541 = phi_2140_;
-                                                                        let _e1552 = (((_e1523 * (_e1541.x - _e329)) + (_e1528 * (_e1541.y - _e398))) + (_e1531 * (_e1541.z - _e466)));
-                                                                        let _e1557 = (((_e1523 * _e369) + (_e1528 * _e437)) + (_e1531 * _e505));
-                                                                        let _e1558 = (_e1504 - _e1508);
-                                                                        let _e1559 = (_e1502 - _e1506);
-                                                                        let _e1567 = (-(((_e1508 * _e1558) + (_e1506 * _e1559))) / ((_e1558 * _e1558) + (_e1559 * _e1559)));
-                                                                        let _e1569 = select(1f, _e1567, (_e1567 < 1f));
-                                                                        let _e1571 = select(0f, _e1569, (_e1569 > 0f));
-                                                                        let _e1584 = ((_e1510.x + (_e1516.x * _e1571)) - _e329);
-                                                                        let _e1585 = ((_e1510.y + (_e1516.y * _e1571)) - _e398);
-                                                                        let _e1586 = ((_e1510.z + (_e1516.z * _e1571)) - _e466);
-                                                                        let _e1587 = (_e1586 / _e505);
-                                                                        let _e1599 = bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u));
-                                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u));
-                                                                        let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
-                                                                        let _e1607 = bitcast<f32>((bitcast<u32>(_e1586) & 2147483647u));
-                                                                        let _e1609 = select(_e1607, _e1604, (_e1604 > _e1607));
-                                                                        let _e1615 = bitcast<f32>((bitcast<u32>(_e1523) & 2147483647u));
-                                                                        let _e1618 = bitcast<f32>((bitcast<u32>(_e1528) & 2147483647u));
-                                                                        let _e1620 = select(_e1618, _e1615, (_e1615 > _e1618));
-                                                                        let _e1623 = bitcast<f32>((bitcast<u32>(_e1531) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1523 * _e1584) + (_e1528 * _e1585)) + (_e1531 * _e1586)) - _e1552)) & 2147483647u)) <= ((0.0000009536743f * select(_e1489, _e1609, (_e1609 > _e1489))) * select(_e1623, _e1620, (_e1620 > _e1623)))) {
-                                                                            let _e1633 = bitcast<f32>((bitcast<u32>(_e1514.x) & 2147483647u));
-                                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1514.y) & 2147483647u));
-                                                                            let _e1638 = select(_e1636, _e1633, (_e1633 > _e1636));
-                                                                            let _e1641 = bitcast<f32>((bitcast<u32>(_e1514.z) & 2147483647u));
-                                                                            let _e1647 = bitcast<f32>((bitcast<u32>(_e1512.x) & 2147483647u));
-                                                                            let _e1650 = bitcast<f32>((bitcast<u32>(_e1512.y) & 2147483647u));
-                                                                            let _e1652 = select(_e1650, _e1647, (_e1647 > _e1650));
-                                                                            let _e1655 = bitcast<f32>((bitcast<u32>(_e1512.z) & 2147483647u));
-                                                                            let _e1659 = (bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u)) > ((0.0000038146973f * select(_e1641, _e1638, (_e1638 > _e1641))) * select(_e1655, _e1652, (_e1652 > _e1655))));
-                                                                            if _e1659 {
-                                                                                phi_2305_ = (_e1552 / _e1557);
+                                                                        let _e1085 = phi_2138_;
+                                                                        let _e1096 = (((_e1067 * (_e1085.x - _e329)) + (_e1072 * (_e1085.y - _e398))) + (_e1075 * (_e1085.z - _e466)));
+                                                                        let _e1101 = (((_e1067 * _e369) + (_e1072 * _e437)) + (_e1075 * _e505));
+                                                                        let _e1102 = (_e1048 - _e1052);
+                                                                        let _e1103 = (_e1046 - _e1050);
+                                                                        let _e1111 = (-(((_e1052 * _e1102) + (_e1050 * _e1103))) / ((_e1102 * _e1102) + (_e1103 * _e1103)));
+                                                                        let _e1113 = select(1f, _e1111, (_e1111 < 1f));
+                                                                        let _e1115 = select(0f, _e1113, (_e1113 > 0f));
+                                                                        let _e1128 = ((_e1054.x + (_e1060.x * _e1115)) - _e329);
+                                                                        let _e1129 = ((_e1054.y + (_e1060.y * _e1115)) - _e398);
+                                                                        let _e1130 = ((_e1054.z + (_e1060.z * _e1115)) - _e466);
+                                                                        let _e1131 = (_e1130 / _e505);
+                                                                        let _e1143 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
+                                                                        let _e1146 = bitcast<f32>((bitcast<u32>(_e1129) & 2147483647u));
+                                                                        let _e1148 = select(_e1146, _e1143, (_e1143 > _e1146));
+                                                                        let _e1151 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
+                                                                        let _e1153 = select(_e1151, _e1148, (_e1148 > _e1151));
+                                                                        let _e1159 = bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u));
+                                                                        let _e1162 = bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u));
+                                                                        let _e1164 = select(_e1162, _e1159, (_e1159 > _e1162));
+                                                                        let _e1167 = bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1067 * _e1128) + (_e1072 * _e1129)) + (_e1075 * _e1130)) - _e1096)) & 2147483647u)) <= ((0.0000009536743f * select(_e1033, _e1153, (_e1153 > _e1033))) * select(_e1167, _e1164, (_e1164 > _e1167)))) {
+                                                                            let _e1177 = bitcast<f32>((bitcast<u32>(_e1058.x) & 2147483647u));
+                                                                            let _e1180 = bitcast<f32>((bitcast<u32>(_e1058.y) & 2147483647u));
+                                                                            let _e1182 = select(_e1180, _e1177, (_e1177 > _e1180));
+                                                                            let _e1185 = bitcast<f32>((bitcast<u32>(_e1058.z) & 2147483647u));
+                                                                            let _e1191 = bitcast<f32>((bitcast<u32>(_e1056.x) & 2147483647u));
+                                                                            let _e1194 = bitcast<f32>((bitcast<u32>(_e1056.y) & 2147483647u));
+                                                                            let _e1196 = select(_e1194, _e1191, (_e1191 > _e1194));
+                                                                            let _e1199 = bitcast<f32>((bitcast<u32>(_e1056.z) & 2147483647u));
+                                                                            let _e1203 = (bitcast<f32>((bitcast<u32>(_e1101) & 2147483647u)) > ((0.0000038146973f * select(_e1185, _e1182, (_e1182 > _e1185))) * select(_e1199, _e1196, (_e1196 > _e1199))));
+                                                                            if _e1203 {
+                                                                                phi_2303_ = (_e1096 / _e1101);
                                                                             } else {
-                                                                                phi_2305_ = f32();
+                                                                                phi_2303_ = f32();
                                                                             }
-                                                                            let _e1662 = phi_2305_;
-                                                                            phi_2307_ = _e1662;
-                                                                            phi_2308_ = select(true, false, _e1659);
+                                                                            let _e1206 = phi_2303_;
+                                                                            phi_2305_ = _e1206;
+                                                                            phi_2306_ = select(true, false, _e1203);
                                                                         } else {
-                                                                            phi_2307_ = f32();
-                                                                            phi_2308_ = true;
+                                                                            phi_2305_ = f32();
+                                                                            phi_2306_ = true;
                                                                         }
-                                                                        let _e1665 = phi_2307_;
-                                                                        let _e1667 = phi_2308_;
-                                                                        if _e1667 {
-                                                                            let _e1675 = (((_e1523 * (_e1584 - (_e369 * _e1587))) + (_e1528 * (_e1585 - (_e437 * _e1587)))) / _e1557);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1675) & 2147483647u)) <= _e1489) {
-                                                                                phi_2328_ = (_e1587 + _e1675);
+                                                                        let _e1209 = phi_2305_;
+                                                                        let _e1211 = phi_2306_;
+                                                                        if _e1211 {
+                                                                            let _e1219 = (((_e1067 * (_e1128 - (_e369 * _e1131))) + (_e1072 * (_e1129 - (_e437 * _e1131)))) / _e1101);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u)) <= _e1033) {
+                                                                                phi_2326_ = (_e1131 + _e1219);
                                                                             } else {
-                                                                                phi_2328_ = _e1587;
+                                                                                phi_2326_ = _e1131;
                                                                             }
-                                                                            let _e1682 = phi_2328_;
-                                                                            phi_2329_ = _e1682;
+                                                                            let _e1226 = phi_2326_;
+                                                                            phi_2327_ = _e1226;
                                                                         } else {
-                                                                            phi_2329_ = _e1665;
+                                                                            phi_2327_ = _e1209;
                                                                         }
-                                                                        let _e1684 = phi_2329_;
-                                                                        let _e1686 = select(_e1422, _e1684, (_e1684 < _e1422));
-                                                                        let _e1688 = select(_e1414, _e1686, (_e1686 > _e1414));
-                                                                        if (_e1688 >= _e620) {
-                                                                            let _e1690 = (_e1688 <= _e1174);
-                                                                            if _e1690 {
-                                                                                let _e1691 = (1f / _e1341);
-                                                                                phi_2352_ = type_21(_e1688, (_e1335 * _e1691), (_e1339 * _e1691), _e1203);
+                                                                        let _e1228 = phi_2327_;
+                                                                        let _e1230 = select(_e966, _e1228, (_e1228 < _e966));
+                                                                        let _e1232 = select(_e958, _e1230, (_e1230 > _e958));
+                                                                        if (_e1232 >= _e620) {
+                                                                            let _e1234 = (_e1232 <= _e718);
+                                                                            if _e1234 {
+                                                                                let _e1235 = (1f / _e885);
+                                                                                phi_2350_ = type_21(_e1232, (_e879 * _e1235), (_e883 * _e1235), _e747);
                                                                             } else {
-                                                                                phi_2352_ = type_21();
+                                                                                phi_2350_ = type_21();
                                                                             }
-                                                                            let _e1696 = phi_2352_;
-                                                                            phi_2354_ = _e1696;
-                                                                            phi_2355_ = select(true, false, _e1690);
+                                                                            let _e1240 = phi_2350_;
+                                                                            phi_2352_ = _e1240;
+                                                                            phi_2353_ = select(true, false, _e1234);
                                                                         } else {
-                                                                            phi_2354_ = type_21();
-                                                                            phi_2355_ = true;
+                                                                            phi_2352_ = type_21();
+                                                                            phi_2353_ = true;
                                                                         }
-                                                                        let _e1699 = phi_2354_;
-                                                                        let _e1701 = phi_2355_;
-                                                                        if _e1701 {
-                                                                            phi_2359_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1243 = phi_2352_;
+                                                                        let _e1245 = phi_2353_;
+                                                                        if _e1245 {
+                                                                            phi_2357_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2359_ = _e1699;
+                                                                            phi_2357_ = _e1243;
                                                                         }
-                                                                        let _e1703 = phi_2359_;
-                                                                        phi_2360_ = _e1703;
+                                                                        let _e1247 = phi_2357_;
+                                                                        phi_2358_ = _e1247;
                                                                     }
-                                                                    let _e1705 = phi_2360_;
-                                                                    phi_2361_ = _e1705;
-                                                                    phi_2362_ = _e1431;
+                                                                    let _e1249 = phi_2358_;
+                                                                    phi_2359_ = _e1249;
+                                                                    phi_2360_ = _e975;
                                                                 }
-                                                                let _e1707 = phi_2361_;
-                                                                let _e1709 = phi_2362_;
-                                                                phi_2366_ = _e1707;
-                                                                phi_2367_ = _e1709;
+                                                                let _e1251 = phi_2359_;
+                                                                let _e1253 = phi_2360_;
+                                                                phi_2364_ = _e1251;
+                                                                phi_2365_ = _e1253;
                                                             }
-                                                            let _e1711 = phi_2366_;
-                                                            let _e1713 = phi_2367_;
-                                                            phi_2368_ = _e1711;
-                                                            phi_2369_ = _e1366;
-                                                            phi_2370_ = _e1713;
+                                                            let _e1255 = phi_2364_;
+                                                            let _e1257 = phi_2365_;
+                                                            phi_2366_ = _e1255;
+                                                            phi_2367_ = _e910;
+                                                            phi_2368_ = _e1257;
                                                         }
-                                                        let _e1715 = phi_2368_;
-                                                        let _e1717 = phi_2369_;
-                                                        let _e1719 = phi_2370_;
-                                                        phi_2371_ = _e1715;
-                                                        phi_2372_ = _e1717;
-                                                        phi_2373_ = _e1719;
+                                                        let _e1259 = phi_2366_;
+                                                        let _e1261 = phi_2367_;
+                                                        let _e1263 = phi_2368_;
+                                                        phi_2369_ = _e1259;
+                                                        phi_2370_ = _e1261;
+                                                        phi_2371_ = _e1263;
                                                     }
-                                                    let _e1721 = phi_2371_;
-                                                    let _e1723 = phi_2372_;
-                                                    let _e1725 = phi_2373_;
-                                                    phi_2381_ = _e1721;
-                                                    phi_2382_ = select(_e1725, true, _e1723);
+                                                    let _e1265 = phi_2369_;
+                                                    let _e1267 = phi_2370_;
+                                                    let _e1269 = phi_2371_;
+                                                    phi_2379_ = _e1265;
+                                                    phi_2380_ = select(_e1269, true, _e1267);
                                                 } else {
-                                                    phi_2381_ = type_21();
-                                                    phi_2382_ = true;
+                                                    phi_2379_ = type_21();
+                                                    phi_2380_ = true;
                                                 }
-                                                let _e1728 = phi_2381_;
-                                                let _e1730 = phi_2382_;
-                                                if _e1730 {
-                                                    phi_2386_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1272 = phi_2379_;
+                                                let _e1274 = phi_2380_;
+                                                if _e1274 {
+                                                    phi_2384_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2386_ = _e1728;
+                                                    phi_2384_ = _e1272;
                                                 }
-                                                let _e1732 = phi_2386_;
-                                                if (_e1732.member_3 != 4294967295u) {
-                                                    if (_e1203 != 4294967295u) {
-                                                        phi_2398_ = type_4(0u, 8u);
-                                                        phi_2401_ = _e1732;
+                                                let _e1276 = phi_2384_;
+                                                if (_e1276.member_3 != 4294967295u) {
+                                                    if (_e747 != 4294967295u) {
+                                                        phi_2396_ = type_4(0u, 8u);
+                                                        phi_2399_ = _e1276;
                                                         loop {
-                                                            let _e1737 = phi_2398_;
-                                                            let _e1739 = phi_2401_;
-                                                            if (_e1737.member < _e1737.member_1) {
-                                                                phi_2399_ = type_4((_e1737.member + 1u), _e1737.member_1);
-                                                                phi_2424_ = type_4(1u, _e1737.member);
+                                                            let _e1281 = phi_2396_;
+                                                            let _e1283 = phi_2399_;
+                                                            if (_e1281.member < _e1281.member_1) {
+                                                                phi_2397_ = type_4((_e1281.member + 1u), _e1281.member_1);
+                                                                phi_2422_ = type_4(1u, _e1281.member);
                                                             } else {
-                                                                phi_2399_ = _e1737;
-                                                                phi_2424_ = type_4(0u, type_4().member_1);
+                                                                phi_2397_ = _e1281;
+                                                                phi_2422_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1752 = phi_2399_;
-                                                            let _e1754 = phi_2424_;
-                                                            let _e1758 = (bitcast<i32>(_e1754.member) != 0i);
-                                                            if _e1758 {
-                                                                let _e1759 = (_e1754.member_1 < 8u);
-                                                                if _e1759 {
+                                                            let _e1296 = phi_2397_;
+                                                            let _e1298 = phi_2422_;
+                                                            let _e1302 = (bitcast<i32>(_e1298.member) != 0i);
+                                                            if _e1302 {
+                                                                let _e1303 = (_e1298.member_1 < 8u);
+                                                                if _e1303 {
                                                                 } else {
-                                                                    phi_4275_ = true;
+                                                                    phi_4224_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1764 = local_9[_e1754.member_1].member;
-                                                                if (_e1739.member < _e1764) {
-                                                                    phi_2457_ = true;
+                                                                let _e1308 = local_9[_e1298.member_1].member;
+                                                                if (_e1283.member < _e1308) {
+                                                                    phi_2455_ = true;
                                                                 } else {
-                                                                    let _e1766 = local_9[_e1754.member_1].member;
-                                                                    if (_e1739.member == _e1766) {
-                                                                        let _e1771 = local_9[_e1754.member_1].member_3;
-                                                                        phi_2456_ = (_e1739.member_3 < _e1771);
+                                                                    let _e1310 = local_9[_e1298.member_1].member;
+                                                                    if (_e1283.member == _e1310) {
+                                                                        let _e1315 = local_9[_e1298.member_1].member_3;
+                                                                        phi_2454_ = (_e1283.member_3 < _e1315);
                                                                     } else {
-                                                                        phi_2456_ = false;
+                                                                        phi_2454_ = false;
                                                                     }
-                                                                    let _e1774 = phi_2456_;
-                                                                    phi_2457_ = _e1774;
+                                                                    let _e1318 = phi_2454_;
+                                                                    phi_2455_ = _e1318;
                                                                 }
-                                                                let _e1776 = phi_2457_;
-                                                                if _e1776 {
-                                                                    if _e1759 {
+                                                                let _e1320 = phi_2455_;
+                                                                if _e1320 {
+                                                                    if _e1303 {
                                                                     } else {
-                                                                        phi_4275_ = true;
+                                                                        phi_4224_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1777 = local_9[_e1754.member_1];
-                                                                    local_9[_e1754.member_1] = type_21(_e1739.member, _e1739.member_1, _e1739.member_2, _e1739.member_3);
-                                                                    phi_2478_ = type_21(_e1777.member, _e1777.member_1, _e1777.member_2, _e1777.member_3);
+                                                                    let _e1321 = local_9[_e1298.member_1];
+                                                                    local_9[_e1298.member_1] = type_21(_e1283.member, _e1283.member_1, _e1283.member_2, _e1283.member_3);
+                                                                    phi_2476_ = type_21(_e1321.member, _e1321.member_1, _e1321.member_2, _e1321.member_3);
                                                                 } else {
-                                                                    phi_2478_ = _e1739;
+                                                                    phi_2476_ = _e1283;
                                                                 }
-                                                                let _e1788 = phi_2478_;
-                                                                phi_2402_ = _e1788;
+                                                                let _e1332 = phi_2476_;
+                                                                phi_2400_ = _e1332;
                                                             } else {
-                                                                phi_2402_ = type_21();
+                                                                phi_2400_ = type_21();
                                                             }
-                                                            let _e1790 = phi_2402_;
+                                                            let _e1334 = phi_2400_;
                                                             continue;
                                                             continuing {
-                                                                phi_2398_ = _e1752;
-                                                                phi_2401_ = _e1790;
-                                                                phi_4275_ = _e1172;
-                                                                break if !(_e1758);
+                                                                phi_2396_ = _e1296;
+                                                                phi_2399_ = _e1334;
+                                                                phi_4224_ = _e716;
+                                                                break if !(_e1302);
                                                             }
                                                         }
-                                                        let _e1793 = phi_4275_;
-                                                        phi_4588_ = _e1174;
-                                                        phi_4435_ = _e1793;
-                                                        if _e1793 {
+                                                        let _e1337 = phi_4224_;
+                                                        phi_4442_ = _e718;
+                                                        phi_4384_ = _e1337;
+                                                        if _e1337 {
                                                             break;
                                                         }
-                                                        let _e1796 = local_9[7u].member_3;
-                                                        if (_e1796 != 4294967295u) {
-                                                            let _e1800 = local_9[7u].member;
-                                                            phi_4679_ = _e1800;
+                                                        let _e1340 = local_9[7u].member_3;
+                                                        if (_e1340 != 4294967295u) {
+                                                            let _e1344 = local_9[7u].member;
+                                                            phi_4533_ = _e1344;
                                                         } else {
-                                                            phi_4679_ = _e1174;
+                                                            phi_4533_ = _e718;
                                                         }
-                                                        let _e1802 = phi_4679_;
-                                                        phi_4678_ = _e1802;
-                                                        phi_4438_ = _e1793;
+                                                        let _e1346 = phi_4533_;
+                                                        phi_4532_ = _e1346;
+                                                        phi_4387_ = _e1337;
                                                     } else {
-                                                        phi_4678_ = _e1174;
-                                                        phi_4438_ = _e1172;
+                                                        phi_4532_ = _e718;
+                                                        phi_4387_ = _e716;
                                                     }
-                                                    let _e1804 = phi_4678_;
-                                                    let _e1806 = phi_4438_;
-                                                    phi_4677_ = _e1804;
-                                                    phi_4437_ = _e1806;
+                                                    let _e1348 = phi_4532_;
+                                                    let _e1350 = phi_4387_;
+                                                    phi_4531_ = _e1348;
+                                                    phi_4386_ = _e1350;
                                                 } else {
-                                                    phi_4677_ = _e1174;
-                                                    phi_4437_ = _e1172;
+                                                    phi_4531_ = _e718;
+                                                    phi_4386_ = _e716;
                                                 }
-                                                let _e1808 = phi_4677_;
-                                                let _e1810 = phi_4437_;
-                                                phi_4676_ = _e1808;
-                                                phi_4436_ = _e1810;
+                                                let _e1352 = phi_4531_;
+                                                let _e1354 = phi_4386_;
+                                                phi_4530_ = _e1352;
+                                                phi_4385_ = _e1354;
                                             } else {
-                                                phi_4676_ = _e1174;
-                                                phi_4436_ = _e1172;
+                                                phi_4530_ = _e718;
+                                                phi_4385_ = _e716;
                                             }
-                                            let _e1812 = phi_4676_;
-                                            let _e1814 = phi_4436_;
+                                            let _e1356 = phi_4530_;
+                                            let _e1358 = phi_4385_;
                                             continue;
                                             continuing {
-                                                phi_4284_ = _e1814;
-                                                phi_4274_ = _e1812;
-                                                phi_1349_ = _e1189;
-                                                phi_4588_ = _e1812;
-                                                phi_4435_ = _e1814;
-                                                break if !(_e1195);
+                                                phi_4233_ = _e1358;
+                                                phi_4222_ = _e1356;
+                                                phi_1347_ = _e733;
+                                                phi_4442_ = _e1356;
+                                                phi_4384_ = _e1358;
+                                                break if !(_e739);
                                             }
                                         }
-                                        let _e1817 = phi_4588_;
-                                        let _e1819 = phi_4435_;
-                                        phi_4440_ = _e1819;
-                                        if _e1819 {
+                                        let _e1361 = phi_4442_;
+                                        let _e1363 = phi_4384_;
+                                        phi_4535_ = _e1363;
+                                        if _e1363 {
                                             break;
                                         }
-                                        phi_4553_ = _e1817;
-                                        phi_4444_ = _e1819;
-                                        phi_3726_ = false;
-                                        phi_3727_ = _e703;
-                                        phi_3728_ = _e705;
+                                        phi_4621_ = _e1363;
+                                        phi_4441_ = _e1361;
+                                    } else {
+                                        phi_4621_ = _e661;
+                                        phi_4441_ = _e663;
+                                    }
+                                    let _e1365 = phi_4621_;
+                                    let _e1367 = phi_4441_;
+                                    if _e709 {
+                                        phi_3718_ = bool();
+                                        phi_3719_ = u32();
+                                        phi_3720_ = type_52();
                                     } else {
                                         if (_e705.member_1 >= _e95) {
-                                            phi_3260_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3253_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e705.member_1 < _e95) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e716 = (_e265 * 2u);
-                                            let _e718 = ((1u + _e716) % 7u);
-                                            if (_e718 < 7u) {
+                                            let _e1370 = (_e265 * 2u);
+                                            let _e1372 = ((1u + _e1370) % 7u);
+                                            if (_e1372 < 7u) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e723 = global_5.member[_e705.member_1][_e718];
-                                            let _e725 = ((_e716 + 2u) % 7u);
-                                            if (_e725 < 7u) {
+                                            let _e1377 = global_5.member[_e705.member_1][_e1372];
+                                            let _e1379 = ((_e1370 + 2u) % 7u);
+                                            if (_e1379 < 7u) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e730 = global_5.member[_e705.member_1][_e725];
-                                            let _e731 = (_e264 * 2u);
-                                            let _e733 = ((1u + _e731) % 7u);
-                                            if (_e733 < 7u) {
+                                            let _e1384 = global_5.member[_e705.member_1][_e1379];
+                                            let _e1385 = (_e264 * 2u);
+                                            let _e1387 = ((1u + _e1385) % 7u);
+                                            if (_e1387 < 7u) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e738 = global_5.member[_e705.member_1][_e733];
-                                            let _e740 = ((_e731 + 2u) % 7u);
-                                            if (_e740 < 7u) {
+                                            let _e1392 = global_5.member[_e705.member_1][_e1387];
+                                            let _e1394 = ((_e1385 + 2u) % 7u);
+                                            if (_e1394 < 7u) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e745 = global_5.member[_e705.member_1][_e740];
-                                            let _e746 = (_e266 * 2u);
-                                            let _e748 = ((1u + _e746) % 7u);
-                                            if (_e748 < 7u) {
+                                            let _e1399 = global_5.member[_e705.member_1][_e1394];
+                                            let _e1400 = (_e266 * 2u);
+                                            let _e1402 = ((1u + _e1400) % 7u);
+                                            if (_e1402 < 7u) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e753 = global_5.member[_e705.member_1][_e748];
-                                            let _e755 = ((_e746 + 2u) % 7u);
-                                            if (_e755 < 7u) {
+                                            let _e1407 = global_5.member[_e705.member_1][_e1402];
+                                            let _e1409 = ((_e1400 + 2u) % 7u);
+                                            if (_e1409 < 7u) {
                                             } else {
-                                                phi_4440_ = true;
+                                                phi_4535_ = true;
                                                 break;
                                             }
-                                            let _e760 = global_5.member[_e705.member_1][_e755];
-                                            let _e783 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.x - _e705.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e784 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.y - _e705.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e785 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.z - _e705.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e787 = select(_e145, _e783, (_e783 > _e145));
-                                            let _e789 = select(_e145, _e784, (_e784 > _e145));
-                                            let _e791 = select(_e145, _e785, (_e785 > _e145));
-                                            let _e822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e723 & 2097151u))) - 8388608f) * _e787));
-                                            let _e827 = (bitcast<i32>((_e723 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e830 = bitcast<f32>((_e822 & bitcast<u32>(_e827)));
-                                            let _e831 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e738 & 2097151u))) - 8388608f) * _e789));
-                                            let _e836 = (bitcast<i32>((_e738 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e839 = bitcast<f32>((_e831 & bitcast<u32>(_e836)));
-                                            let _e840 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e753 & 2097151u))) - 8388608f) * _e791));
-                                            let _e845 = (bitcast<i32>((_e753 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e848 = bitcast<f32>((_e840 & bitcast<u32>(_e845)));
-                                            let _e852 = bitcast<f32>((_e822 & bitcast<u32>(~(_e827))));
-                                            let _e856 = bitcast<f32>((_e831 & bitcast<u32>(~(_e836))));
-                                            let _e860 = bitcast<f32>((_e840 & bitcast<u32>(~(_e845))));
-                                            let _e861 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 2097151u))) - 8388608f) * _e787));
-                                            let _e866 = (bitcast<i32>((_e730 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e869 = bitcast<f32>((_e861 & bitcast<u32>(_e866)));
-                                            let _e870 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 2097151u))) - 8388608f) * _e789));
-                                            let _e875 = (bitcast<i32>((_e745 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e878 = bitcast<f32>((_e870 & bitcast<u32>(_e875)));
-                                            let _e879 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e760 & 2097151u))) - 8388608f) * _e791));
-                                            let _e884 = (bitcast<i32>((_e760 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e887 = bitcast<f32>((_e879 & bitcast<u32>(_e884)));
-                                            let _e891 = bitcast<f32>((_e861 & bitcast<u32>(~(_e866))));
-                                            let _e895 = bitcast<f32>((_e870 & bitcast<u32>(~(_e875))));
-                                            let _e899 = bitcast<f32>((_e879 & bitcast<u32>(~(_e884))));
-                                            let _e929 = global_5.member[_e705.member_1][0u];
-                                            let _e933 = global_5.member[_e705.member_1][2u];
-                                            let _e937 = global_5.member[_e705.member_1][4u];
-                                            let _e941 = global_5.member[_e705.member_1][6u];
-                                            let _e953 = (((_e933 >> bitcast<u32>(22i)) | ((_e937 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e941 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e954 = (_e929 & 268435455u);
-                                            let _e955 = (_e953 & 268435455u);
-                                            let _e958 = ((_e929 >> bitcast<u32>(28u)) & 7u);
-                                            let _e966 = ((_e929 >> bitcast<u32>(31i)) | (((_e953 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e967 = (_e958 != 0u);
-                                            if (_e958 == 0u) {
-                                                phi_3222_ = _e954;
+                                            let _e1414 = global_5.member[_e705.member_1][_e1409];
+                                            let _e1437 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.x - _e705.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1438 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.y - _e705.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1439 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.z - _e705.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1441 = select(_e145, _e1437, (_e1437 > _e145));
+                                            let _e1443 = select(_e145, _e1438, (_e1438 > _e145));
+                                            let _e1445 = select(_e145, _e1439, (_e1439 > _e145));
+                                            let _e1476 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1377 & 2097151u))) - 8388608f) * _e1441));
+                                            let _e1481 = (bitcast<i32>((_e1377 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1484 = bitcast<f32>((_e1476 & bitcast<u32>(_e1481)));
+                                            let _e1485 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1392 & 2097151u))) - 8388608f) * _e1443));
+                                            let _e1490 = (bitcast<i32>((_e1392 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1493 = bitcast<f32>((_e1485 & bitcast<u32>(_e1490)));
+                                            let _e1494 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1407 & 2097151u))) - 8388608f) * _e1445));
+                                            let _e1499 = (bitcast<i32>((_e1407 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1502 = bitcast<f32>((_e1494 & bitcast<u32>(_e1499)));
+                                            let _e1506 = bitcast<f32>((_e1476 & bitcast<u32>(~(_e1481))));
+                                            let _e1510 = bitcast<f32>((_e1485 & bitcast<u32>(~(_e1490))));
+                                            let _e1514 = bitcast<f32>((_e1494 & bitcast<u32>(~(_e1499))));
+                                            let _e1515 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1384 & 2097151u))) - 8388608f) * _e1441));
+                                            let _e1520 = (bitcast<i32>((_e1384 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1523 = bitcast<f32>((_e1515 & bitcast<u32>(_e1520)));
+                                            let _e1524 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1399 & 2097151u))) - 8388608f) * _e1443));
+                                            let _e1529 = (bitcast<i32>((_e1399 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1532 = bitcast<f32>((_e1524 & bitcast<u32>(_e1529)));
+                                            let _e1533 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1414 & 2097151u))) - 8388608f) * _e1445));
+                                            let _e1538 = (bitcast<i32>((_e1414 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1541 = bitcast<f32>((_e1533 & bitcast<u32>(_e1538)));
+                                            let _e1545 = bitcast<f32>((_e1515 & bitcast<u32>(~(_e1520))));
+                                            let _e1549 = bitcast<f32>((_e1524 & bitcast<u32>(~(_e1529))));
+                                            let _e1553 = bitcast<f32>((_e1533 & bitcast<u32>(~(_e1538))));
+                                            let _e1583 = global_5.member[_e705.member_1][0u];
+                                            let _e1587 = global_5.member[_e705.member_1][2u];
+                                            let _e1591 = global_5.member[_e705.member_1][4u];
+                                            let _e1595 = global_5.member[_e705.member_1][6u];
+                                            let _e1607 = (((_e1587 >> bitcast<u32>(22i)) | ((_e1591 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1595 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1608 = (_e1583 & 268435455u);
+                                            let _e1609 = (_e1607 & 268435455u);
+                                            let _e1612 = ((_e1583 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1620 = ((_e1583 >> bitcast<u32>(31i)) | (((_e1607 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1621 = (_e1612 != 0u);
+                                            if (_e1612 == 0u) {
+                                                phi_3215_ = _e1608;
                                             } else {
-                                                if (_e958 == 7u) {
-                                                    phi_3221_ = 2147483648u;
+                                                if (_e1612 == 7u) {
+                                                    phi_3214_ = 2147483648u;
                                                 } else {
-                                                    phi_3221_ = ((2147483648u | (_e958 << bitcast<u32>(28u))) | (_e955 & 268435455u));
+                                                    phi_3214_ = ((2147483648u | (_e1612 << bitcast<u32>(28u))) | (_e1609 & 268435455u));
                                                 }
-                                                let _e976 = phi_3221_;
-                                                phi_3222_ = _e976;
+                                                let _e1630 = phi_3214_;
+                                                phi_3215_ = _e1630;
                                             }
-                                            let _e978 = phi_3222_;
-                                            if _e967 {
-                                                let _e979 = (_e958 != 7u);
-                                                if _e979 {
-                                                    phi_3232_ = (_e955 + _e958);
+                                            let _e1632 = phi_3215_;
+                                            if _e1621 {
+                                                let _e1633 = (_e1612 != 7u);
+                                                if _e1633 {
+                                                    phi_3225_ = (_e1609 + _e1612);
                                                 } else {
-                                                    phi_3232_ = u32();
+                                                    phi_3225_ = u32();
                                                 }
-                                                let _e982 = phi_3232_;
-                                                phi_3234_ = _e982;
-                                                phi_3235_ = select(true, false, _e979);
+                                                let _e1636 = phi_3225_;
+                                                phi_3227_ = _e1636;
+                                                phi_3228_ = select(true, false, _e1633);
                                             } else {
-                                                phi_3234_ = u32();
-                                                phi_3235_ = true;
+                                                phi_3227_ = u32();
+                                                phi_3228_ = true;
                                             }
-                                            let _e985 = phi_3234_;
-                                            let _e987 = phi_3235_;
-                                            if (_e966 == 0u) {
-                                                phi_3256_ = (_e954 + select(0u, 1u, !(_e967)));
+                                            let _e1639 = phi_3227_;
+                                            let _e1641 = phi_3228_;
+                                            if (_e1620 == 0u) {
+                                                phi_3249_ = (_e1608 + select(0u, 1u, !(_e1621)));
                                             } else {
-                                                if (_e966 == 7u) {
-                                                    phi_3255_ = 2147483648u;
+                                                if (_e1620 == 7u) {
+                                                    phi_3248_ = 2147483648u;
                                                 } else {
-                                                    phi_3255_ = ((2147483648u | (_e966 << bitcast<u32>(28u))) | (select(_e985, _e955, _e987) & 268435455u));
+                                                    phi_3248_ = ((2147483648u | (_e1620 << bitcast<u32>(28u))) | (select(_e1639, _e1609, _e1641) & 268435455u));
                                                 }
-                                                let _e1000 = phi_3255_;
-                                                phi_3256_ = _e1000;
+                                                let _e1654 = phi_3248_;
+                                                phi_3249_ = _e1654;
                                             }
-                                            let _e1002 = phi_3256_;
-                                            phi_3260_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e705.member.member.x + _e830), (_e705.member.member.x + _e852), (_e705.member.member_1.x - _e869), (_e705.member.member_1.x - _e891)), vec4<f32>((_e705.member.member.y + _e839), (_e705.member.member.y + _e856), (_e705.member.member_1.y - _e878), (_e705.member.member_1.y - _e895)), vec4<f32>((_e705.member.member.z + _e848), (_e705.member.member.z + _e860), (_e705.member.member_1.z - _e887), (_e705.member.member_1.z - _e899))), type_52(type_25((_e705.member.member + vec4<f32>(_e830, _e839, _e848, 0f)), (_e705.member.member_1 - vec4<f32>(_e869, _e878, _e887, 0f))), _e978), type_52(type_25((_e705.member.member + vec4<f32>(_e852, _e856, _e860, 0f)), (_e705.member.member_1 - vec4<f32>(_e891, _e895, _e899, 0f))), _e1002));
+                                            let _e1656 = phi_3249_;
+                                            phi_3253_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e705.member.member.x + _e1484), (_e705.member.member.x + _e1506), (_e705.member.member_1.x - _e1523), (_e705.member.member_1.x - _e1545)), vec4<f32>((_e705.member.member.y + _e1493), (_e705.member.member.y + _e1510), (_e705.member.member_1.y - _e1532), (_e705.member.member_1.y - _e1549)), vec4<f32>((_e705.member.member.z + _e1502), (_e705.member.member.z + _e1514), (_e705.member.member_1.z - _e1541), (_e705.member.member_1.z - _e1553))), type_52(type_25((_e705.member.member + vec4<f32>(_e1484, _e1493, _e1502, 0f)), (_e705.member.member_1 - vec4<f32>(_e1523, _e1532, _e1541, 0f))), _e1632), type_52(type_25((_e705.member.member + vec4<f32>(_e1506, _e1510, _e1514, 0f)), (_e705.member.member_1 - vec4<f32>(_e1545, _e1549, _e1553, 0f))), _e1656));
                                         }
-                                        let _e1007 = phi_3260_;
-                                        let _e1018 = ((_e1007.member[0].x - _e367) * _e372);
-                                        let _e1019 = ((_e1007.member[0].y - _e367) * _e372);
-                                        let _e1020 = ((_e1007.member[0].z - _e368) * _e372);
-                                        let _e1021 = ((_e1007.member[0].w - _e368) * _e372);
-                                        let _e1031 = ((_e1007.member[1].x - _e435) * _e440);
-                                        let _e1032 = ((_e1007.member[1].y - _e435) * _e440);
-                                        let _e1033 = ((_e1007.member[1].z - _e436) * _e440);
-                                        let _e1034 = ((_e1007.member[1].w - _e436) * _e440);
-                                        let _e1044 = ((_e1007.member[2].x - _e503) * _e508);
-                                        let _e1045 = ((_e1007.member[2].y - _e503) * _e508);
-                                        let _e1046 = ((_e1007.member[2].z - _e504) * _e508);
-                                        let _e1047 = ((_e1007.member[2].w - _e504) * _e508);
-                                        let _e1049 = select(_e1046, _e1044, (_e1044 < _e1046));
-                                        let _e1051 = select(_e1047, _e1045, (_e1045 < _e1047));
-                                        let _e1053 = select(_e1046, _e1044, (_e1044 > _e1046));
-                                        let _e1055 = select(_e1047, _e1045, (_e1045 > _e1047));
-                                        let _e1057 = select(_e1020, _e1018, (_e1018 < _e1020));
-                                        let _e1059 = select(_e1021, _e1019, (_e1019 < _e1021));
-                                        let _e1061 = select(_e1033, _e1031, (_e1031 < _e1033));
-                                        let _e1063 = select(_e1034, _e1032, (_e1032 < _e1034));
-                                        let _e1065 = select(_e1061, _e1057, (_e1057 > _e1061));
-                                        let _e1067 = select(_e1063, _e1059, (_e1059 > _e1063));
-                                        let _e1069 = select(_e1049, _e1065, (_e1065 > _e1049));
-                                        let _e1071 = select(_e1051, _e1067, (_e1067 > _e1051));
-                                        let _e1073 = select(_e1020, _e1018, (_e1018 > _e1020));
-                                        let _e1075 = select(_e1021, _e1019, (_e1019 > _e1021));
-                                        let _e1077 = select(_e1033, _e1031, (_e1031 > _e1033));
-                                        let _e1079 = select(_e1034, _e1032, (_e1032 > _e1034));
-                                        let _e1081 = select(_e1077, _e1073, (_e1073 < _e1077));
-                                        let _e1083 = select(_e1079, _e1075, (_e1075 < _e1079));
-                                        let _e1088 = -(_e1049);
-                                        let _e1089 = -(_e1051);
-                                        let _e1096 = (select(_e1053, _e1081, (_e1081 < _e1053)) + (select(_e1088, _e1053, (_e1053 > _e1088)) * 0.0000019073523f));
-                                        let _e1097 = (select(_e1055, _e1083, (_e1083 < _e1055)) + (select(_e1089, _e1055, (_e1055 > _e1089)) * 0.0000019073523f));
-                                        let _e1099 = select(_e620, _e1069, (_e1069 > _e620));
-                                        let _e1101 = select(_e620, _e1071, (_e1071 > _e620));
-                                        let _e1106 = (_e1099 <= select(_e663, _e1096, (_e1096 < _e663)));
-                                        let _e1107 = (_e1101 <= select(_e663, _e1097, (_e1097 < _e663)));
-                                        let _e1108 = (_e1099 <= _e1101);
-                                        if _e1106 {
-                                            if _e1107 {
-                                                if _e1108 {
-                                                    phi_3623_ = _e1007.member_2;
+                                        let _e1661 = phi_3253_;
+                                        let _e1672 = ((_e1661.member[0].x - _e367) * _e372);
+                                        let _e1673 = ((_e1661.member[0].y - _e367) * _e372);
+                                        let _e1674 = ((_e1661.member[0].z - _e368) * _e372);
+                                        let _e1675 = ((_e1661.member[0].w - _e368) * _e372);
+                                        let _e1685 = ((_e1661.member[1].x - _e435) * _e440);
+                                        let _e1686 = ((_e1661.member[1].y - _e435) * _e440);
+                                        let _e1687 = ((_e1661.member[1].z - _e436) * _e440);
+                                        let _e1688 = ((_e1661.member[1].w - _e436) * _e440);
+                                        let _e1698 = ((_e1661.member[2].x - _e503) * _e508);
+                                        let _e1699 = ((_e1661.member[2].y - _e503) * _e508);
+                                        let _e1700 = ((_e1661.member[2].z - _e504) * _e508);
+                                        let _e1701 = ((_e1661.member[2].w - _e504) * _e508);
+                                        let _e1703 = select(_e1700, _e1698, (_e1698 < _e1700));
+                                        let _e1705 = select(_e1701, _e1699, (_e1699 < _e1701));
+                                        let _e1707 = select(_e1700, _e1698, (_e1698 > _e1700));
+                                        let _e1709 = select(_e1701, _e1699, (_e1699 > _e1701));
+                                        let _e1711 = select(_e1674, _e1672, (_e1672 < _e1674));
+                                        let _e1713 = select(_e1675, _e1673, (_e1673 < _e1675));
+                                        let _e1715 = select(_e1687, _e1685, (_e1685 < _e1687));
+                                        let _e1717 = select(_e1688, _e1686, (_e1686 < _e1688));
+                                        let _e1719 = select(_e1715, _e1711, (_e1711 > _e1715));
+                                        let _e1721 = select(_e1717, _e1713, (_e1713 > _e1717));
+                                        let _e1723 = select(_e1703, _e1719, (_e1719 > _e1703));
+                                        let _e1725 = select(_e1705, _e1721, (_e1721 > _e1705));
+                                        let _e1727 = select(_e1674, _e1672, (_e1672 > _e1674));
+                                        let _e1729 = select(_e1675, _e1673, (_e1673 > _e1675));
+                                        let _e1731 = select(_e1687, _e1685, (_e1685 > _e1687));
+                                        let _e1733 = select(_e1688, _e1686, (_e1686 > _e1688));
+                                        let _e1735 = select(_e1731, _e1727, (_e1727 < _e1731));
+                                        let _e1737 = select(_e1733, _e1729, (_e1729 < _e1733));
+                                        let _e1742 = -(_e1703);
+                                        let _e1743 = -(_e1705);
+                                        let _e1750 = (select(_e1707, _e1735, (_e1735 < _e1707)) + (select(_e1742, _e1707, (_e1707 > _e1742)) * 0.0000019073523f));
+                                        let _e1751 = (select(_e1709, _e1737, (_e1737 < _e1709)) + (select(_e1743, _e1709, (_e1709 > _e1743)) * 0.0000019073523f));
+                                        let _e1753 = select(_e620, _e1723, (_e1723 > _e620));
+                                        let _e1755 = select(_e620, _e1725, (_e1725 > _e620));
+                                        let _e1760 = (_e1753 <= select(_e1367, _e1750, (_e1750 < _e1367)));
+                                        let _e1761 = (_e1755 <= select(_e1367, _e1751, (_e1751 < _e1367)));
+                                        let _e1762 = (_e1753 <= _e1755);
+                                        if _e1760 {
+                                            if _e1761 {
+                                                if _e1762 {
+                                                    phi_3616_ = _e1661.member_2;
                                                 } else {
-                                                    phi_3623_ = _e1007.member_1;
+                                                    phi_3616_ = _e1661.member_1;
                                                 }
-                                                let _e1112 = phi_3623_;
-                                                let _e1134 = (_e703 % 128u);
-                                                let _e1135 = (_e1134 < 128u);
-                                                if _e1135 {
+                                                let _e1766 = phi_3616_;
+                                                let _e1787 = (_e703 % 128u);
+                                                let _e1788 = (_e1787 < 128u);
+                                                if _e1788 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1134] = _e1112.member_1;
-                                                if _e1135 {
+                                                local_8[_e1787] = _e1766.member_1;
+                                                if _e1788 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1134] = _e1112.member.member.x;
-                                                if _e1135 {
+                                                local_7[_e1787] = _e1766.member.member.x;
+                                                if _e1788 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1134] = _e1112.member.member.y;
-                                                if _e1135 {
+                                                local_6[_e1787] = _e1766.member.member.y;
+                                                if _e1788 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1134] = _e1112.member.member.z;
-                                                if _e1135 {
+                                                local_5[_e1787] = _e1766.member.member.z;
+                                                if _e1788 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1134] = _e1112.member.member_1.x;
-                                                if _e1135 {
+                                                local_4[_e1787] = _e1766.member.member_1.x;
+                                                if _e1788 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1134] = _e1112.member.member_1.y;
-                                                if _e1135 {
+                                                local_3[_e1787] = _e1766.member.member_1.y;
+                                                if _e1788 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1134] = _e1112.member.member_1.z;
-                                                if _e1135 {
+                                                local_2[_e1787] = _e1766.member.member_1.z;
+                                                if _e1788 {
                                                 } else {
-                                                    phi_4440_ = true;
+                                                    phi_4535_ = true;
                                                     break;
                                                 }
-                                                local_10[_e1134] = select(_e1101, _e1099, !(_e1108));
-                                                if _e1108 {
-                                                    phi_3700_ = _e1007.member_1;
+                                                local_10[_e1787] = select(_e1753, _e1755, _e1762);
+                                                if _e1762 {
+                                                    phi_3692_ = _e1661.member_1;
                                                 } else {
-                                                    phi_3700_ = _e1007.member_2;
+                                                    phi_3692_ = _e1661.member_2;
                                                 }
-                                                let _e1148 = phi_3700_;
-                                                phi_3701_ = (_e703 + 1u);
-                                                phi_3702_ = _e1148;
+                                                let _e1801 = phi_3692_;
+                                                phi_3693_ = (_e703 + 1u);
+                                                phi_3694_ = _e1801;
                                             } else {
-                                                phi_3701_ = u32();
-                                                phi_3702_ = type_52();
+                                                phi_3693_ = u32();
+                                                phi_3694_ = type_52();
                                             }
-                                            let _e1150 = phi_3701_;
-                                            let _e1152 = phi_3702_;
-                                            phi_3704_ = _e1150;
-                                            phi_3705_ = _e1152;
-                                            phi_3706_ = select(true, false, _e1107);
+                                            let _e1803 = phi_3693_;
+                                            let _e1805 = phi_3694_;
+                                            phi_3696_ = _e1803;
+                                            phi_3697_ = _e1805;
+                                            phi_3698_ = select(true, false, _e1761);
                                         } else {
-                                            phi_3704_ = u32();
-                                            phi_3705_ = type_52();
-                                            phi_3706_ = true;
+                                            phi_3696_ = u32();
+                                            phi_3697_ = type_52();
+                                            phi_3698_ = true;
                                         }
-                                        let _e1155 = phi_3704_;
-                                        let _e1157 = phi_3705_;
-                                        let _e1159 = phi_3706_;
-                                        if _e1159 {
-                                            if _e1106 {
-                                                phi_3715_ = _e1007.member_1;
+                                        let _e1808 = phi_3696_;
+                                        let _e1810 = phi_3697_;
+                                        let _e1812 = phi_3698_;
+                                        if _e1812 {
+                                            if _e1760 {
+                                                phi_3707_ = _e1661.member_1;
                                             } else {
-                                                phi_3715_ = _e1007.member_2;
+                                                phi_3707_ = _e1661.member_2;
                                             }
-                                            let _e1163 = phi_3715_;
-                                            phi_3720_ = select(_e1107, true, _e1106);
-                                            phi_3722_ = _e1163;
+                                            let _e1816 = phi_3707_;
+                                            phi_3712_ = select(_e1761, true, _e1760);
+                                            phi_3714_ = _e1816;
                                         } else {
-                                            phi_3720_ = _e701;
-                                            phi_3722_ = _e1157;
+                                            phi_3712_ = _e701;
+                                            phi_3714_ = _e1810;
                                         }
-                                        let _e1166 = phi_3720_;
-                                        let _e1168 = phi_3722_;
-                                        phi_4553_ = _e663;
-                                        phi_4444_ = _e661;
-                                        phi_3726_ = _e1166;
-                                        phi_3727_ = select(_e1155, _e703, _e1159);
-                                        phi_3728_ = _e1168;
+                                        let _e1819 = phi_3712_;
+                                        let _e1821 = phi_3714_;
+                                        phi_3718_ = _e1819;
+                                        phi_3719_ = select(_e1808, _e703, _e1812);
+                                        phi_3720_ = _e1821;
                                     }
-                                    let _e1821 = phi_4553_;
-                                    let _e1823 = phi_4444_;
-                                    let _e1825 = phi_3726_;
-                                    let _e1827 = phi_3727_;
-                                    let _e1829 = phi_3728_;
-                                    phi_4552_ = _e1821;
-                                    phi_4443_ = _e1823;
-                                    phi_3729_ = _e1825;
-                                    phi_3730_ = (_e667 - 1u);
-                                    phi_3731_ = _e1827;
-                                    phi_3732_ = _e1829;
+                                    let _e1824 = phi_3718_;
+                                    let _e1826 = phi_3719_;
+                                    let _e1828 = phi_3720_;
+                                    if _e709 {
+                                        phi_3730_ = _e705;
+                                    } else {
+                                        phi_3730_ = _e1828;
+                                    }
+                                    let _e1830 = phi_3730_;
+                                    phi_4649_ = _e1367;
+                                    phi_4538_ = _e1365;
+                                    phi_3731_ = (_e665 - 1u);
+                                    phi_3732_ = select(_e1824, false, _e709);
+                                    phi_3733_ = select(_e1826, _e703, _e709);
+                                    phi_3734_ = _e1830;
                                 } else {
-                                    phi_4552_ = _e663;
-                                    phi_4443_ = _e661;
-                                    phi_3729_ = _e701;
-                                    phi_3730_ = _e667;
-                                    phi_3731_ = _e703;
-                                    phi_3732_ = _e705;
+                                    phi_4649_ = _e663;
+                                    phi_4538_ = _e661;
+                                    phi_3731_ = _e665;
+                                    phi_3732_ = _e701;
+                                    phi_3733_ = _e703;
+                                    phi_3734_ = _e705;
                                 }
-                                let _e1831 = phi_4552_;
-                                let _e1833 = phi_4443_;
-                                let _e1835 = phi_3729_;
-                                let _e1837 = phi_3730_;
-                                let _e1839 = phi_3731_;
-                                let _e1841 = phi_3732_;
-                                phi_4551_ = _e1831;
-                                phi_4442_ = _e1833;
-                                phi_3733_ = _e1835;
-                                phi_3734_ = _e1837;
-                                phi_3735_ = _e1839;
-                                phi_3736_ = _e1841;
+                                let _e1834 = phi_4649_;
+                                let _e1836 = phi_4538_;
+                                let _e1838 = phi_3731_;
+                                let _e1840 = phi_3732_;
+                                let _e1842 = phi_3733_;
+                                let _e1844 = phi_3734_;
+                                phi_4648_ = _e1834;
+                                phi_4537_ = _e1836;
+                                phi_3735_ = _e1838;
+                                phi_3736_ = _e1840;
+                                phi_3737_ = _e1842;
+                                phi_3738_ = _e1844;
                             } else {
-                                phi_4551_ = _e663;
-                                phi_4442_ = _e661;
-                                phi_3733_ = bool();
-                                phi_3734_ = u32();
+                                phi_4648_ = _e663;
+                                phi_4537_ = _e661;
                                 phi_3735_ = u32();
-                                phi_3736_ = type_52();
+                                phi_3736_ = bool();
+                                phi_3737_ = u32();
+                                phi_3738_ = type_52();
                             }
-                            let _e1843 = phi_4551_;
-                            let _e1845 = phi_4442_;
-                            let _e1847 = phi_3733_;
-                            let _e1849 = phi_3734_;
-                            let _e1851 = phi_3735_;
-                            let _e1853 = phi_3736_;
-                            phi_4550_ = _e1843;
-                            phi_4441_ = _e1845;
-                            phi_1225_ = _e1847;
-                            phi_1228_ = _e1849;
-                            phi_1230_ = _e1851;
-                            phi_1232_ = _e1853;
-                            phi_3737_ = _e675;
+                            let _e1846 = phi_4648_;
+                            let _e1848 = phi_4537_;
+                            let _e1850 = phi_3735_;
+                            let _e1852 = phi_3736_;
+                            let _e1854 = phi_3737_;
+                            let _e1856 = phi_3738_;
+                            phi_4647_ = _e1846;
+                            phi_4536_ = _e1848;
+                            phi_1223_ = _e1850;
+                            phi_1226_ = _e1852;
+                            phi_1228_ = _e1854;
+                            phi_1230_ = _e1856;
+                            phi_3739_ = _e675;
                         } else {
-                            phi_4550_ = _e663;
-                            phi_4441_ = _e661;
-                            phi_1225_ = bool();
+                            phi_4647_ = _e663;
+                            phi_4536_ = _e661;
+                            phi_1223_ = u32();
+                            phi_1226_ = bool();
                             phi_1228_ = u32();
-                            phi_1230_ = u32();
-                            phi_1232_ = type_52();
-                            phi_3737_ = false;
+                            phi_1230_ = type_52();
+                            phi_3739_ = false;
                         }
-                        let _e1855 = phi_4550_;
-                        let _e1857 = phi_4441_;
-                        let _e1859 = phi_1225_;
-                        let _e1861 = phi_1228_;
-                        let _e1863 = phi_1230_;
-                        let _e1865 = phi_1232_;
-                        let _e1867 = phi_3737_;
+                        let _e1858 = phi_4647_;
+                        let _e1860 = phi_4536_;
+                        let _e1862 = phi_1223_;
+                        let _e1864 = phi_1226_;
+                        let _e1866 = phi_1228_;
+                        let _e1868 = phi_1230_;
+                        let _e1870 = phi_3739_;
                         continue;
                         continuing {
-                            phi_4287_ = _e1857;
-                            phi_4216_ = _e1855;
-                            phi_1224_ = _e1859;
-                            phi_1227_ = _e1861;
-                            phi_1229_ = _e1863;
-                            phi_1231_ = _e1865;
-                            phi_4440_ = _e1857;
-                            break if !(_e1867);
+                            phi_4236_ = _e1860;
+                            phi_4217_ = _e1858;
+                            phi_1222_ = _e1862;
+                            phi_1225_ = _e1864;
+                            phi_1227_ = _e1866;
+                            phi_1229_ = _e1868;
+                            phi_4535_ = _e1860;
+                            break if !(_e1870);
                         }
                     }
-                    let _e1870 = phi_4440_;
-                    if _e1870 {
+                    let _e1873 = phi_4535_;
+                    if _e1873 {
                         break;
                     }
-                    phi_3744_ = type_4(0u, 8u);
+                    phi_3746_ = type_4(0u, 8u);
                     loop {
-                        let _e1872 = phi_3744_;
-                        if (_e1872.member < _e1872.member_1) {
-                            phi_3745_ = type_4((_e1872.member + 1u), _e1872.member_1);
-                            phi_3768_ = type_4(1u, _e1872.member);
+                        let _e1875 = phi_3746_;
+                        if (_e1875.member < _e1875.member_1) {
+                            phi_3747_ = type_4((_e1875.member + 1u), _e1875.member_1);
+                            phi_3770_ = type_4(1u, _e1875.member);
                         } else {
-                            phi_3745_ = _e1872;
-                            phi_3768_ = type_4(0u, type_4().member_1);
+                            phi_3747_ = _e1875;
+                            phi_3770_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1885 = phi_3745_;
-                        let _e1887 = phi_3768_;
-                        let _e1891 = (bitcast<i32>(_e1887.member) != 0i);
-                        if _e1891 {
-                            let _e1892 = (_e1887.member_1 < 8u);
-                            if _e1892 {
+                        let _e1888 = phi_3747_;
+                        let _e1890 = phi_3770_;
+                        let _e1894 = (bitcast<i32>(_e1890.member) != 0i);
+                        if _e1894 {
+                            let _e1895 = (_e1890.member_1 < 8u);
+                            if _e1895 {
                             } else {
-                                phi_4532_ = true;
+                                phi_4629_ = true;
                                 break;
                             }
-                            let _e1894 = local_9[_e1887.member_1];
-                            if (_e1894.member_3 != 4294967295u) {
-                                let _e1900 = -(_e522);
-                                let _e1901 = bitcast<u32>(_e1894.member);
-                                let _e1905 = (bitcast<i32>((_e1901 >> bitcast<u32>(23i))) & 255i);
-                                let _e1906 = (_e1905 + _e1900);
-                                if (_e1905 == 255i) {
-                                    phi_3841_ = _e1894.member;
+                            let _e1897 = local_9[_e1890.member_1];
+                            if (_e1897.member_3 != 4294967295u) {
+                                let _e1903 = -(_e522);
+                                let _e1904 = bitcast<u32>(_e1897.member);
+                                let _e1908 = (bitcast<i32>((_e1904 >> bitcast<u32>(23i))) & 255i);
+                                let _e1909 = (_e1908 + _e1903);
+                                if (_e1908 == 255i) {
+                                    phi_3843_ = _e1897.member;
                                 } else {
-                                    if (_e1905 > 0i) {
-                                        if (_e1906 > 0i) {
-                                            let _e1910 = (_e1906 < 255i);
-                                            if _e1910 {
-                                                phi_3820_ = bitcast<f32>((_e1901 + bitcast<u32>((_e1900 << bitcast<u32>(23i)))));
+                                    if (_e1908 > 0i) {
+                                        if (_e1909 > 0i) {
+                                            let _e1913 = (_e1909 < 255i);
+                                            if _e1913 {
+                                                phi_3822_ = bitcast<f32>((_e1904 + bitcast<u32>((_e1903 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3820_ = f32();
+                                                phi_3822_ = f32();
                                             }
-                                            let _e1917 = phi_3820_;
-                                            phi_3822_ = _e1917;
-                                            phi_3823_ = select(true, false, _e1910);
+                                            let _e1920 = phi_3822_;
+                                            phi_3824_ = _e1920;
+                                            phi_3825_ = select(true, false, _e1913);
                                         } else {
-                                            phi_3822_ = f32();
-                                            phi_3823_ = true;
+                                            phi_3824_ = f32();
+                                            phi_3825_ = true;
                                         }
-                                        let _e1920 = phi_3822_;
-                                        let _e1922 = phi_3823_;
-                                        phi_3824_ = _e1920;
-                                        phi_3825_ = _e1922;
+                                        let _e1923 = phi_3824_;
+                                        let _e1925 = phi_3825_;
+                                        phi_3826_ = _e1923;
+                                        phi_3827_ = _e1925;
                                     } else {
-                                        phi_3824_ = f32();
-                                        phi_3825_ = true;
+                                        phi_3826_ = f32();
+                                        phi_3827_ = true;
                                     }
-                                    let _e1924 = phi_3824_;
-                                    let _e1926 = phi_3825_;
-                                    if _e1926 {
-                                        let _e1927 = (_e1901 & 2147483648u);
-                                        let _e1934 = ((_e1901 & 8388607u) | (select(0u, 1u, ((_e1901 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1938 = (_e1934 == 0u);
-                                        if _e1938 {
-                                            phi_4162_ = bitcast<f32>(_e1927);
+                                    let _e1927 = phi_3826_;
+                                    let _e1929 = phi_3827_;
+                                    if _e1929 {
+                                        let _e1930 = (_e1904 & 2147483648u);
+                                        let _e1937 = ((_e1904 & 8388607u) | (select(0u, 1u, ((_e1904 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1941 = (_e1937 == 0u);
+                                        if _e1941 {
+                                            phi_4164_ = bitcast<f32>(_e1930);
                                         } else {
-                                            let _e1943 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1934)), 32u, _e1938) - 8u);
-                                            let _e1946 = (_e1934 << bitcast<u32>((_e1943 & 31u)));
-                                            let _e1948 = ((_e1906 + select(0i, 1i, (_e1905 == 0i))) - bitcast<i32>(_e1943));
-                                            if (_e1948 >= 255i) {
-                                                phi_4152_ = bitcast<f32>((_e1927 | 2139095040u));
-                                                phi_4153_ = f32();
-                                                phi_4154_ = true;
+                                            let _e1946 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1937)), 32u, _e1941) - 8u);
+                                            let _e1949 = (_e1937 << bitcast<u32>((_e1946 & 31u)));
+                                            let _e1951 = ((_e1909 + select(0i, 1i, (_e1908 == 0i))) - bitcast<i32>(_e1946));
+                                            if (_e1951 >= 255i) {
+                                                phi_4154_ = bitcast<f32>((_e1930 | 2139095040u));
+                                                phi_4155_ = f32();
+                                                phi_4156_ = true;
                                             } else {
-                                                let _e1950 = (_e1948 > 0i);
-                                                if _e1950 {
-                                                    phi_4146_ = bitcast<f32>(((_e1927 | (bitcast<u32>(_e1948) << bitcast<u32>(23i))) | (_e1946 & 8388607u)));
-                                                    phi_4147_ = f32();
+                                                let _e1953 = (_e1951 > 0i);
+                                                if _e1953 {
+                                                    phi_4148_ = bitcast<f32>(((_e1930 | (bitcast<u32>(_e1951) << bitcast<u32>(23i))) | (_e1949 & 8388607u)));
+                                                    phi_4149_ = f32();
                                                 } else {
-                                                    if (_e1948 < -24i) {
-                                                        phi_4112_ = 26u;
+                                                    if (_e1951 < -24i) {
+                                                        phi_4114_ = 26u;
                                                     } else {
-                                                        phi_4112_ = bitcast<u32>((1i - _e1948));
+                                                        phi_4114_ = bitcast<u32>((1i - _e1951));
                                                     }
-                                                    let _e1955 = phi_4112_;
-                                                    let _e1956 = (_e1955 & 31u);
-                                                    let _e1958 = (_e1946 >> bitcast<u32>(_e1956));
-                                                    let _e1962 = (_e1946 & ((1u << bitcast<u32>(_e1956)) - 1u));
-                                                    let _e1966 = (1u << bitcast<u32>(((_e1955 - 1u) & 31u)));
-                                                    if (_e1962 > _e1966) {
-                                                        phi_4133_ = true;
+                                                    let _e1958 = phi_4114_;
+                                                    let _e1959 = (_e1958 & 31u);
+                                                    let _e1961 = (_e1949 >> bitcast<u32>(_e1959));
+                                                    let _e1965 = (_e1949 & ((1u << bitcast<u32>(_e1959)) - 1u));
+                                                    let _e1969 = (1u << bitcast<u32>(((_e1958 - 1u) & 31u)));
+                                                    if (_e1965 > _e1969) {
+                                                        phi_4135_ = true;
                                                     } else {
-                                                        if (_e1962 == _e1966) {
-                                                            phi_4130_ = ((_e1958 & 1u) == 1u);
+                                                        if (_e1965 == _e1969) {
+                                                            phi_4132_ = ((_e1961 & 1u) == 1u);
                                                         } else {
-                                                            phi_4130_ = false;
+                                                            phi_4132_ = false;
                                                         }
-                                                        let _e1972 = phi_4130_;
-                                                        phi_4133_ = _e1972;
+                                                        let _e1975 = phi_4132_;
+                                                        phi_4135_ = _e1975;
                                                     }
-                                                    let _e1974 = phi_4133_;
-                                                    phi_4146_ = f32();
-                                                    phi_4147_ = bitcast<f32>((_e1927 | (_e1958 + select(0u, 1u, _e1974))));
+                                                    let _e1977 = phi_4135_;
+                                                    phi_4148_ = f32();
+                                                    phi_4149_ = bitcast<f32>((_e1930 | (_e1961 + select(0u, 1u, _e1977))));
                                                 }
-                                                let _e1987 = phi_4146_;
-                                                let _e1989 = phi_4147_;
-                                                phi_4152_ = _e1987;
-                                                phi_4153_ = _e1989;
-                                                phi_4154_ = _e1950;
+                                                let _e1990 = phi_4148_;
+                                                let _e1992 = phi_4149_;
+                                                phi_4154_ = _e1990;
+                                                phi_4155_ = _e1992;
+                                                phi_4156_ = _e1953;
                                             }
-                                            let _e1993 = phi_4152_;
-                                            let _e1995 = phi_4153_;
-                                            let _e1997 = phi_4154_;
-                                            phi_4162_ = select(_e1995, _e1993, _e1997);
+                                            let _e1996 = phi_4154_;
+                                            let _e1998 = phi_4155_;
+                                            let _e2000 = phi_4156_;
+                                            phi_4164_ = select(_e1998, _e1996, _e2000);
                                         }
-                                        let _e2001 = phi_4162_;
-                                        phi_3840_ = _e2001;
+                                        let _e2004 = phi_4164_;
+                                        phi_3842_ = _e2004;
                                     } else {
-                                        phi_3840_ = _e1924;
+                                        phi_3842_ = _e1927;
                                     }
-                                    let _e2003 = phi_3840_;
-                                    phi_3841_ = _e2003;
+                                    let _e2006 = phi_3842_;
+                                    phi_3843_ = _e2006;
                                 }
-                                let _e2005 = phi_3841_;
-                                let _e2006 = bitcast<u32>(_e2005);
-                                if ((_e2006 & 2147483647u) >= 2139095040u) {
-                                    phi_3853_ = bitcast<f32>(((_e2006 & 2147483648u) | 2139095039u));
+                                let _e2008 = phi_3843_;
+                                let _e2009 = bitcast<u32>(_e2008);
+                                if ((_e2009 & 2147483647u) >= 2139095040u) {
+                                    phi_3855_ = bitcast<f32>(((_e2009 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3853_ = _e2005;
+                                    phi_3855_ = _e2008;
                                 }
-                                let _e2013 = phi_3853_;
-                                phi_3858_ = type_21(_e2013, _e1894.member_1, _e1894.member_2, _e1894.member_3);
+                                let _e2016 = phi_3855_;
+                                phi_3860_ = type_21(_e2016, _e1897.member_1, _e1897.member_2, _e1897.member_3);
                             } else {
-                                phi_3858_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3860_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e2016 = phi_3858_;
-                            if _e1892 {
+                            let _e2019 = phi_3860_;
+                            if _e1895 {
                             } else {
-                                phi_4532_ = true;
+                                phi_4629_ = true;
                                 break;
                             }
-                            local_9[_e1887.member_1] = type_21(_e2016.member, _e2016.member_1, _e2016.member_2, _e2016.member_3);
+                            local_9[_e1890.member_1] = type_21(_e2019.member, _e2019.member_1, _e2019.member_2, _e2019.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3744_ = _e1885;
-                            phi_4532_ = _e1870;
-                            break if !(_e1891);
+                            phi_3746_ = _e1888;
+                            phi_4629_ = _e1873;
+                            break if !(_e1894);
                         }
                     }
-                    let _e2024 = phi_4532_;
-                    if _e2024 {
+                    let _e2027 = phi_4629_;
+                    if _e2027 {
                         break;
                     }
-                    let _e2025 = local_9;
+                    let _e2028 = local_9;
                     if _e153 {
                     } else {
                         break;
                     }
-                    global_6.member[_e151] = array<type_21, 8>(type_21(_e2025[0].member, _e2025[0].member_1, _e2025[0].member_2, _e2025[0].member_3), type_21(_e2025[1].member, _e2025[1].member_1, _e2025[1].member_2, _e2025[1].member_3), type_21(_e2025[2].member, _e2025[2].member_1, _e2025[2].member_2, _e2025[2].member_3), type_21(_e2025[3].member, _e2025[3].member_1, _e2025[3].member_2, _e2025[3].member_3), type_21(_e2025[4].member, _e2025[4].member_1, _e2025[4].member_2, _e2025[4].member_3), type_21(_e2025[5].member, _e2025[5].member_1, _e2025[5].member_2, _e2025[5].member_3), type_21(_e2025[6].member, _e2025[6].member_1, _e2025[6].member_2, _e2025[6].member_3), type_21(_e2025[7].member, _e2025[7].member_1, _e2025[7].member_2, _e2025[7].member_3));
+                    global_6.member[_e151] = array<type_21, 8>(type_21(_e2028[0].member, _e2028[0].member_1, _e2028[0].member_2, _e2028[0].member_3), type_21(_e2028[1].member, _e2028[1].member_1, _e2028[1].member_2, _e2028[1].member_3), type_21(_e2028[2].member, _e2028[2].member_1, _e2028[2].member_2, _e2028[2].member_3), type_21(_e2028[3].member, _e2028[3].member_1, _e2028[3].member_2, _e2028[3].member_3), type_21(_e2028[4].member, _e2028[4].member_1, _e2028[4].member_2, _e2028[4].member_3), type_21(_e2028[5].member, _e2028[5].member_1, _e2028[5].member_2, _e2028[5].member_3), type_21(_e2028[6].member, _e2028[6].member_1, _e2028[6].member_2, _e2028[6].member_3), type_21(_e2028[7].member, _e2028[7].member_1, _e2028[7].member_2, _e2028[7].member_3));
                 }
             }
             break;

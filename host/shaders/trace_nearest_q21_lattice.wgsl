@@ -118,175 +118,176 @@ fn function_() {
     var phi_1076_: u32;
     var phi_1084_: f32;
     var phi_1085_: f32;
-    var phi_5032_: bool;
-    var phi_4889_: f32;
-    var phi_1236_: bool;
+    var phi_4976_: bool;
+    var phi_4890_: f32;
+    var phi_1234_: u32;
+    var phi_1237_: bool;
     var phi_1239_: u32;
-    var phi_1241_: u32;
-    var phi_1243_: type_51;
-    var phi_1254_: bool;
-    var phi_1341_: bool;
-    var phi_1342_: u32;
-    var phi_1343_: type_51;
-    var phi_3634_: u32;
-    var phi_3640_: u32;
-    var phi_3894_: u32;
-    var phi_3895_: u32;
-    var phi_3905_: u32;
-    var phi_3907_: u32;
-    var phi_3908_: bool;
-    var phi_3928_: u32;
-    var phi_3929_: u32;
-    var phi_3933_: type_52;
-    var phi_4296_: type_51;
-    var phi_4373_: type_51;
-    var phi_4374_: u32;
-    var phi_4375_: type_51;
-    var phi_4377_: u32;
-    var phi_4378_: type_51;
-    var phi_4379_: bool;
-    var phi_4388_: type_51;
-    var phi_4393_: bool;
-    var phi_4395_: type_51;
-    var phi_5029_: bool;
-    var phi_4972_: f32;
-    var phi_1362_: type_8;
-    var phi_1363_: type_8;
-    var phi_1386_: type_8;
-    var phi_1427_: u32;
-    var phi_1433_: u32;
-    var phi_1443_: u32;
-    var phi_1459_: u32;
-    var phi_1492_: u32;
-    var phi_1498_: u32;
-    var phi_1964_: u32;
-    var phi_1982_: u32;
-    var phi_2000_: u32;
-    var phi_2023_: u32;
-    var phi_2041_: u32;
-    var phi_2059_: u32;
-    var phi_2082_: u32;
-    var phi_2100_: u32;
-    var phi_2118_: u32;
-    var phi_1672_: u32;
-    var phi_1687_: u32;
-    var phi_1697_: u32;
-    var phi_1718_: u32;
-    var phi_1739_: u32;
-    var phi_1769_: u32;
-    var phi_1784_: u32;
-    var phi_1794_: u32;
-    var phi_1815_: u32;
-    var phi_1836_: u32;
-    var phi_1866_: u32;
-    var phi_1881_: u32;
-    var phi_1891_: u32;
-    var phi_1912_: u32;
-    var phi_1933_: u32;
-    var phi_1525_: u32;
-    var phi_1574_: u32;
-    var phi_1623_: u32;
-    var phi_2124_: array<array<f32, 3>, 3>;
-    var phi_2277_: bool;
-    var phi_2306_: bool;
+    var phi_1241_: type_51;
+    var phi_1252_: bool;
+    var phi_1339_: bool;
+    var phi_1340_: u32;
+    var phi_1341_: type_51;
+    var phi_4973_: bool;
+    var phi_4915_: f32;
+    var phi_1360_: type_8;
+    var phi_1361_: type_8;
+    var phi_1384_: type_8;
+    var phi_1425_: u32;
+    var phi_1431_: u32;
+    var phi_1441_: u32;
+    var phi_1457_: u32;
+    var phi_1490_: u32;
+    var phi_1496_: u32;
+    var phi_1962_: u32;
+    var phi_1980_: u32;
+    var phi_1998_: u32;
+    var phi_2021_: u32;
+    var phi_2039_: u32;
+    var phi_2057_: u32;
+    var phi_2080_: u32;
+    var phi_2098_: u32;
+    var phi_2116_: u32;
+    var phi_1670_: u32;
+    var phi_1685_: u32;
+    var phi_1695_: u32;
+    var phi_1716_: u32;
+    var phi_1737_: u32;
+    var phi_1767_: u32;
+    var phi_1782_: u32;
+    var phi_1792_: u32;
+    var phi_1813_: u32;
+    var phi_1834_: u32;
+    var phi_1864_: u32;
+    var phi_1879_: u32;
+    var phi_1889_: u32;
+    var phi_1910_: u32;
+    var phi_1931_: u32;
+    var phi_1523_: u32;
+    var phi_1572_: u32;
+    var phi_1621_: u32;
+    var phi_2122_: array<array<f32, 3>, 3>;
+    var phi_2275_: bool;
+    var phi_2304_: bool;
+    var phi_2723_: f32;
+    var phi_2724_: f32;
     var phi_2725_: f32;
     var phi_2726_: f32;
-    var phi_2727_: f32;
-    var phi_2728_: f32;
+    var phi_2727_: vec3<f32>;
+    var phi_2728_: vec3<f32>;
     var phi_2729_: vec3<f32>;
     var phi_2730_: vec3<f32>;
-    var phi_2731_: vec3<f32>;
-    var phi_2732_: vec3<f32>;
-    var phi_2769_: bool;
-    var phi_2778_: vec3<f32>;
+    var phi_2767_: bool;
+    var phi_2776_: vec3<f32>;
+    var phi_2941_: f32;
     var phi_2943_: f32;
-    var phi_2945_: f32;
-    var phi_2946_: bool;
-    var phi_2966_: f32;
-    var phi_2967_: f32;
+    var phi_2944_: bool;
+    var phi_2964_: f32;
+    var phi_2965_: f32;
+    var phi_2988_: type_20;
     var phi_2990_: type_20;
-    var phi_2992_: type_20;
-    var phi_2993_: bool;
+    var phi_2991_: bool;
+    var phi_2995_: type_20;
+    var phi_2996_: type_20;
     var phi_2997_: type_20;
-    var phi_2998_: type_20;
-    var phi_2999_: type_20;
-    var phi_3000_: bool;
+    var phi_2998_: bool;
+    var phi_3002_: type_20;
+    var phi_3003_: bool;
     var phi_3004_: type_20;
     var phi_3005_: bool;
-    var phi_3006_: type_20;
-    var phi_3007_: bool;
+    var phi_3006_: bool;
+    var phi_3007_: type_20;
     var phi_3008_: bool;
-    var phi_3009_: type_20;
-    var phi_3010_: bool;
-    var phi_3011_: bool;
-    var phi_3019_: type_20;
-    var phi_3020_: bool;
-    var phi_3024_: type_20;
-    var phi_3036_: type_8;
-    var phi_3039_: type_20;
-    var phi_3037_: type_8;
-    var phi_3062_: type_8;
-    var phi_3094_: bool;
-    var phi_3095_: bool;
-    var phi_3116_: type_20;
-    var phi_3040_: type_20;
-    var phi_5000_: bool;
-    var phi_5456_: f32;
-    var phi_5455_: f32;
-    var phi_5210_: bool;
-    var phi_5454_: f32;
-    var phi_5209_: bool;
-    var phi_5453_: f32;
-    var phi_5208_: bool;
-    var phi_5365_: f32;
-    var phi_5207_: bool;
-    var phi_5330_: f32;
-    var phi_5216_: bool;
-    var phi_4399_: bool;
-    var phi_4400_: u32;
-    var phi_4401_: type_51;
-    var phi_5329_: f32;
-    var phi_5215_: bool;
-    var phi_4402_: bool;
-    var phi_4403_: u32;
+    var phi_3009_: bool;
+    var phi_3017_: type_20;
+    var phi_3018_: bool;
+    var phi_3022_: type_20;
+    var phi_3034_: type_8;
+    var phi_3037_: type_20;
+    var phi_3035_: type_8;
+    var phi_3060_: type_8;
+    var phi_3092_: bool;
+    var phi_3093_: bool;
+    var phi_3114_: type_20;
+    var phi_3038_: type_20;
+    var phi_4944_: bool;
+    var phi_5305_: f32;
+    var phi_5304_: f32;
+    var phi_5154_: bool;
+    var phi_5303_: f32;
+    var phi_5153_: bool;
+    var phi_5302_: f32;
+    var phi_5152_: bool;
+    var phi_5214_: f32;
+    var phi_5151_: bool;
+    var phi_5398_: bool;
+    var phi_5213_: f32;
+    var phi_3627_: u32;
+    var phi_3633_: u32;
+    var phi_3887_: u32;
+    var phi_3888_: u32;
+    var phi_3898_: u32;
+    var phi_3900_: u32;
+    var phi_3901_: bool;
+    var phi_3921_: u32;
+    var phi_3922_: u32;
+    var phi_3926_: type_52;
+    var phi_4289_: type_51;
+    var phi_4365_: type_51;
+    var phi_4366_: u32;
+    var phi_4367_: type_51;
+    var phi_4369_: u32;
+    var phi_4370_: type_51;
+    var phi_4371_: bool;
+    var phi_4380_: type_51;
+    var phi_4385_: bool;
+    var phi_4387_: type_51;
+    var phi_4391_: bool;
+    var phi_4392_: u32;
+    var phi_4393_: type_51;
+    var phi_4403_: type_51;
+    var phi_5426_: f32;
+    var phi_5310_: bool;
     var phi_4404_: u32;
-    var phi_4405_: type_51;
-    var phi_5328_: f32;
-    var phi_5214_: bool;
-    var phi_4406_: bool;
-    var phi_4407_: u32;
+    var phi_4405_: bool;
+    var phi_4406_: u32;
+    var phi_4407_: type_51;
+    var phi_5425_: f32;
+    var phi_5309_: bool;
     var phi_4408_: u32;
-    var phi_4409_: type_51;
-    var phi_5327_: f32;
-    var phi_5213_: bool;
-    var phi_1237_: bool;
+    var phi_4409_: bool;
+    var phi_4410_: u32;
+    var phi_4411_: type_51;
+    var phi_5424_: f32;
+    var phi_5308_: bool;
+    var phi_1235_: u32;
+    var phi_1238_: bool;
     var phi_1240_: u32;
-    var phi_1242_: u32;
-    var phi_1244_: type_51;
-    var phi_4410_: bool;
-    var phi_5212_: bool;
-    var phi_4417_: type_8;
-    var phi_4418_: type_8;
-    var phi_4441_: type_8;
-    var phi_4493_: f32;
+    var phi_1242_: type_51;
+    var phi_4412_: bool;
+    var phi_5307_: bool;
+    var phi_4419_: type_8;
+    var phi_4420_: type_8;
+    var phi_4443_: type_8;
     var phi_4495_: f32;
-    var phi_4496_: bool;
     var phi_4497_: f32;
     var phi_4498_: bool;
-    var phi_4785_: u32;
-    var phi_4803_: bool;
-    var phi_4806_: bool;
-    var phi_4819_: f32;
-    var phi_4820_: f32;
-    var phi_4825_: f32;
-    var phi_4826_: f32;
-    var phi_4827_: bool;
-    var phi_4835_: f32;
-    var phi_4513_: f32;
-    var phi_4514_: f32;
-    var phi_4526_: f32;
-    var phi_4531_: type_20;
-    var phi_5309_: bool;
+    var phi_4499_: f32;
+    var phi_4500_: bool;
+    var phi_4787_: u32;
+    var phi_4805_: bool;
+    var phi_4808_: bool;
+    var phi_4821_: f32;
+    var phi_4822_: f32;
+    var phi_4827_: f32;
+    var phi_4828_: f32;
+    var phi_4829_: bool;
+    var phi_4837_: f32;
+    var phi_4515_: f32;
+    var phi_4516_: f32;
+    var phi_4528_: f32;
+    var phi_4533_: type_20;
+    var phi_5406_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -651,1517 +652,1527 @@ fn function_() {
                         break;
                     }
                     let _e656 = local[_e640];
-                    phi_5032_ = false;
-                    phi_4889_ = _e623;
-                    phi_1236_ = (_e625 <= _e623);
-                    phi_1239_ = ((3u * _e99) + 1u);
-                    phi_1241_ = 0u;
-                    phi_1243_ = type_51(type_24(vec4<f32>((f32(_e631) * _e150), (f32(_e637) * _e150), (f32(_e643) * _e150), 0f), vec4<f32>((f32(_e648) * _e150), (f32(_e652) * _e150), (f32(_e656) * _e150), 0f)), select(0u, 2147483648u, (_e99 == 0u)));
+                    phi_4976_ = false;
+                    phi_4890_ = _e623;
+                    phi_1234_ = ((3u * _e99) + 1u);
+                    phi_1237_ = (_e625 <= _e623);
+                    phi_1239_ = 0u;
+                    phi_1241_ = type_51(type_24(vec4<f32>((f32(_e631) * _e150), (f32(_e637) * _e150), (f32(_e643) * _e150), 0f), vec4<f32>((f32(_e648) * _e150), (f32(_e652) * _e150), (f32(_e656) * _e150), 0f)), select(0u, 2147483648u, (_e99 == 0u)));
                     loop {
-                        let _e666 = phi_5032_;
-                        let _e668 = phi_4889_;
-                        let _e670 = phi_1236_;
-                        let _e672 = phi_1239_;
-                        let _e674 = phi_1241_;
-                        let _e676 = phi_1243_;
-                        if _e670 {
-                            phi_1254_ = true;
+                        let _e666 = phi_4976_;
+                        let _e668 = phi_4890_;
+                        let _e670 = phi_1234_;
+                        let _e672 = phi_1237_;
+                        let _e674 = phi_1239_;
+                        let _e676 = phi_1241_;
+                        if _e672 {
+                            phi_1252_ = true;
                         } else {
-                            phi_1254_ = (_e674 > 0u);
+                            phi_1252_ = (_e674 > 0u);
                         }
-                        let _e679 = phi_1254_;
+                        let _e679 = phi_1252_;
                         if _e679 {
-                            let _e680 = (_e672 > 0u);
+                            let _e680 = (_e670 > 0u);
                             if _e680 {
-                                if _e670 {
-                                    phi_1341_ = _e670;
-                                    phi_1342_ = _e674;
-                                    phi_1343_ = _e676;
+                                if _e672 {
+                                    phi_1339_ = _e672;
+                                    phi_1340_ = _e674;
+                                    phi_1341_ = _e676;
                                 } else {
                                     let _e681 = (_e674 - 1u);
                                     let _e682 = (_e681 % 128u);
                                     let _e683 = (_e682 < 128u);
                                     if _e683 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e685 = local_7[_e682];
                                     if _e683 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e687 = local_6[_e682];
                                     if _e683 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e689 = local_5[_e682];
                                     if _e683 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e691 = local_4[_e682];
                                     if _e683 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e693 = local_3[_e682];
                                     if _e683 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e695 = local_2[_e682];
                                     if _e683 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e700 = local_8[_e682];
                                     if _e683 {
                                     } else {
-                                        phi_5212_ = true;
+                                        phi_5307_ = true;
                                         break;
                                     }
                                     let _e703 = local_10[_e682];
-                                    phi_1341_ = (_e703 <= _e668);
-                                    phi_1342_ = _e681;
-                                    phi_1343_ = type_51(type_24(vec4<f32>(_e685, _e687, _e689, 0f), vec4<f32>(_e691, _e693, _e695, 0f)), _e700);
+                                    phi_1339_ = (_e703 <= _e668);
+                                    phi_1340_ = _e681;
+                                    phi_1341_ = type_51(type_24(vec4<f32>(_e685, _e687, _e689, 0f), vec4<f32>(_e691, _e693, _e695, 0f)), _e700);
                                 }
-                                let _e706 = phi_1341_;
-                                let _e708 = phi_1342_;
-                                let _e710 = phi_1343_;
+                                let _e706 = phi_1339_;
+                                let _e708 = phi_1340_;
+                                let _e710 = phi_1341_;
                                 if _e706 {
+                                    let _e714 = ((_e710.member_1 & 2147483648u) != 0u);
                                     let _e715 = (_e710.member_1 & 268435455u);
-                                    if ((_e710.member_1 & 2147483648u) != 0u) {
-                                        phi_5029_ = _e666;
-                                        phi_4972_ = _e668;
-                                        phi_1362_ = type_8(0u, ((_e710.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if _e714 {
+                                        phi_4973_ = _e666;
+                                        phi_4915_ = _e668;
+                                        phi_1360_ = type_8(0u, ((_e710.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1198 = phi_5029_;
-                                            let _e1200 = phi_4972_;
-                                            let _e1202 = phi_1362_;
-                                            if (_e1202.member < _e1202.member_1) {
-                                                phi_1363_ = type_8((_e1202.member + 1u), _e1202.member_1);
-                                                phi_1386_ = type_8(1u, _e1202.member);
+                                            let _e722 = phi_4973_;
+                                            let _e724 = phi_4915_;
+                                            let _e726 = phi_1360_;
+                                            if (_e726.member < _e726.member_1) {
+                                                phi_1361_ = type_8((_e726.member + 1u), _e726.member_1);
+                                                phi_1384_ = type_8(1u, _e726.member);
                                             } else {
-                                                phi_1363_ = _e1202;
-                                                phi_1386_ = type_8(0u, type_8().member_1);
+                                                phi_1361_ = _e726;
+                                                phi_1384_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1215 = phi_1363_;
-                                            let _e1217 = phi_1386_;
-                                            let _e1221 = (bitcast<i32>(_e1217.member) != 0i);
-                                            if _e1221 {
-                                                let _e1226 = (_e710.member.member_1.x - _e710.member.member.x);
-                                                let _e1229 = (_e710.member.member_1.y - _e710.member.member.y);
-                                                let _e1232 = (_e710.member.member_1.z - _e710.member.member.z);
-                                                let _e1234 = select(_e1229, _e1226, (_e1226 > _e1229));
-                                                let _e1236 = select(_e1232, _e1234, (_e1234 > _e1232));
-                                                let _e1238 = (_e1236 < (1024f * _e150));
-                                                if _e1238 {
-                                                    phi_1427_ = 0u;
+                                            let _e739 = phi_1361_;
+                                            let _e741 = phi_1384_;
+                                            let _e745 = (bitcast<i32>(_e741.member) != 0i);
+                                            if _e745 {
+                                                let _e750 = (_e710.member.member_1.x - _e710.member.member.x);
+                                                let _e753 = (_e710.member.member_1.y - _e710.member.member.y);
+                                                let _e756 = (_e710.member.member_1.z - _e710.member.member.z);
+                                                let _e758 = select(_e753, _e750, (_e750 > _e753));
+                                                let _e760 = select(_e756, _e758, (_e758 > _e756));
+                                                let _e762 = (_e760 < (1024f * _e150));
+                                                if _e762 {
+                                                    phi_1425_ = 0u;
                                                 } else {
-                                                    phi_1427_ = select(2u, 1u, (_e1236 < (2097152f * _e150)));
+                                                    phi_1425_ = select(2u, 1u, (_e760 < (2097152f * _e150)));
                                                 }
-                                                let _e1243 = phi_1427_;
-                                                switch bitcast<i32>(_e1243) {
+                                                let _e767 = phi_1425_;
+                                                switch bitcast<i32>(_e767) {
                                                     case 0: {
-                                                        phi_1433_ = 1u;
+                                                        phi_1431_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1433_ = 2u;
+                                                        phi_1431_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1433_ = 3u;
+                                                        phi_1431_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1433_ = u32();
+                                                        phi_1431_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1246 = phi_1433_;
-                                                switch bitcast<i32>(_e1243) {
+                                                let _e770 = phi_1431_;
+                                                switch bitcast<i32>(_e767) {
                                                     case 0: {
-                                                        phi_1443_ = 1u;
+                                                        phi_1441_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1443_ = 2u;
+                                                        phi_1441_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1443_ = 3u;
+                                                        phi_1441_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1443_ = u32();
+                                                        phi_1441_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1253 = phi_1443_;
-                                                let _e1255 = ((_e715 + (_e1217.member_1 * ((3u * _e1246) + 1u))) + (3u * _e1253));
-                                                let _e1256 = (_e1255 < _e102);
-                                                if _e1256 {
-                                                    if _e1256 {
+                                                let _e777 = phi_1441_;
+                                                let _e779 = ((_e715 + (_e741.member_1 * ((3u * _e770) + 1u))) + (3u * _e777));
+                                                let _e780 = (_e779 < _e102);
+                                                if _e780 {
+                                                    if _e780 {
                                                     } else {
-                                                        phi_5365_ = _e1200;
-                                                        phi_5207_ = true;
+                                                        phi_5214_ = _e724;
+                                                        phi_5151_ = true;
                                                         break;
                                                     }
-                                                    let _e1258 = global_5.member[_e1255];
-                                                    phi_1459_ = _e1258;
+                                                    let _e782 = global_5.member[_e779];
+                                                    phi_1457_ = _e782;
                                                 } else {
-                                                    phi_1459_ = 4294967295u;
+                                                    phi_1457_ = 4294967295u;
                                                 }
-                                                let _e1260 = phi_1459_;
-                                                if _e1238 {
-                                                    phi_1492_ = 0u;
+                                                let _e784 = phi_1457_;
+                                                if _e762 {
+                                                    phi_1490_ = 0u;
                                                 } else {
-                                                    phi_1492_ = select(2u, 1u, (_e1236 < (2097152f * _e150)));
+                                                    phi_1490_ = select(2u, 1u, (_e760 < (2097152f * _e150)));
                                                 }
-                                                let _e1265 = phi_1492_;
-                                                switch bitcast<i32>(_e1265) {
+                                                let _e789 = phi_1490_;
+                                                switch bitcast<i32>(_e789) {
                                                     case 0: {
-                                                        phi_1498_ = 1u;
+                                                        phi_1496_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1498_ = 2u;
+                                                        phi_1496_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1498_ = 3u;
+                                                        phi_1496_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1498_ = u32();
+                                                        phi_1496_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1268 = phi_1498_;
-                                                let _e1272 = (_e715 + (_e1217.member_1 * ((3u * _e1268) + 1u)));
-                                                switch bitcast<i32>(_e1265) {
+                                                let _e792 = phi_1496_;
+                                                let _e796 = (_e715 + (_e741.member_1 * ((3u * _e792) + 1u)));
+                                                switch bitcast<i32>(_e789) {
                                                     case 0: {
-                                                        let _e1547 = (_e1272 < _e102);
-                                                        if _e1547 {
-                                                            if _e1547 {
+                                                        let _e1071 = (_e796 < _e102);
+                                                        if _e1071 {
+                                                            if _e1071 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1549 = global_5.member[_e1272];
-                                                            phi_1525_ = _e1549;
+                                                            let _e1073 = global_5.member[_e796];
+                                                            phi_1523_ = _e1073;
                                                         } else {
-                                                            phi_1525_ = 0u;
+                                                            phi_1523_ = 0u;
                                                         }
-                                                        let _e1551 = phi_1525_;
-                                                        let _e1553 = ((10u * _e270) & 31u);
-                                                        let _e1563 = ((10u * _e269) & 31u);
-                                                        let _e1573 = ((10u * _e271) & 31u);
-                                                        let _e1583 = (_e1272 + 1u);
-                                                        let _e1584 = (_e1583 < _e102);
-                                                        if _e1584 {
-                                                            if _e1584 {
+                                                        let _e1075 = phi_1523_;
+                                                        let _e1077 = ((10u * _e270) & 31u);
+                                                        let _e1087 = ((10u * _e269) & 31u);
+                                                        let _e1097 = ((10u * _e271) & 31u);
+                                                        let _e1107 = (_e796 + 1u);
+                                                        let _e1108 = (_e1107 < _e102);
+                                                        if _e1108 {
+                                                            if _e1108 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1586 = global_5.member[_e1583];
-                                                            phi_1574_ = _e1586;
+                                                            let _e1110 = global_5.member[_e1107];
+                                                            phi_1572_ = _e1110;
                                                         } else {
-                                                            phi_1574_ = 0u;
+                                                            phi_1572_ = 0u;
                                                         }
-                                                        let _e1588 = phi_1574_;
-                                                        let _e1614 = (_e1272 + 2u);
-                                                        let _e1615 = (_e1614 < _e102);
-                                                        if _e1615 {
-                                                            if _e1615 {
+                                                        let _e1112 = phi_1572_;
+                                                        let _e1138 = (_e796 + 2u);
+                                                        let _e1139 = (_e1138 < _e102);
+                                                        if _e1139 {
+                                                            if _e1139 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1617 = global_5.member[_e1614];
-                                                            phi_1623_ = _e1617;
+                                                            let _e1141 = global_5.member[_e1138];
+                                                            phi_1621_ = _e1141;
                                                         } else {
-                                                            phi_1623_ = 0u;
+                                                            phi_1621_ = 0u;
                                                         }
-                                                        let _e1619 = phi_1623_;
-                                                        phi_2124_ = array<array<f32, 3>, 3>(array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | ((_e1551 >> bitcast<u32>(_e1553)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | ((_e1551 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | ((_e1551 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | ((_e1588 >> bitcast<u32>(_e1553)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | ((_e1588 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | ((_e1588 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | ((_e1619 >> bitcast<u32>(_e1553)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | ((_e1619 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | ((_e1619 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e150))));
+                                                        let _e1143 = phi_1621_;
+                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1361 = (_e1272 < _e102);
-                                                        if _e1361 {
-                                                            if _e1361 {
+                                                        let _e885 = (_e796 < _e102);
+                                                        if _e885 {
+                                                            if _e885 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1363 = global_5.member[_e1272];
-                                                            phi_1672_ = _e1363;
+                                                            let _e887 = global_5.member[_e796];
+                                                            phi_1670_ = _e887;
                                                         } else {
-                                                            phi_1672_ = 0u;
+                                                            phi_1670_ = 0u;
                                                         }
-                                                        let _e1365 = phi_1672_;
-                                                        let _e1366 = (_e1272 + 1u);
-                                                        let _e1367 = (_e1366 < _e102);
-                                                        if _e1367 {
-                                                            if _e1367 {
+                                                        let _e889 = phi_1670_;
+                                                        let _e890 = (_e796 + 1u);
+                                                        let _e891 = (_e890 < _e102);
+                                                        if _e891 {
+                                                            if _e891 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1369 = global_5.member[_e1366];
-                                                            phi_1687_ = _e1369;
+                                                            let _e893 = global_5.member[_e890];
+                                                            phi_1685_ = _e893;
                                                         } else {
-                                                            phi_1687_ = 0u;
+                                                            phi_1685_ = 0u;
                                                         }
-                                                        let _e1371 = phi_1687_;
-                                                        let _e1372 = (_e270 == 1u);
-                                                        if _e1372 {
-                                                            phi_1697_ = ((_e1365 >> bitcast<u32>(21i)) | (_e1371 << bitcast<u32>(11i)));
+                                                        let _e895 = phi_1685_;
+                                                        let _e896 = (_e270 == 1u);
+                                                        if _e896 {
+                                                            phi_1695_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1697_ = (_e1371 >> bitcast<u32>(10i));
+                                                            phi_1695_ = (_e895 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1381 = phi_1697_;
-                                                        let _e1389 = (_e269 == 1u);
-                                                        if _e1389 {
-                                                            phi_1718_ = ((_e1365 >> bitcast<u32>(21i)) | (_e1371 << bitcast<u32>(11i)));
+                                                        let _e905 = phi_1695_;
+                                                        let _e913 = (_e269 == 1u);
+                                                        if _e913 {
+                                                            phi_1716_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1718_ = (_e1371 >> bitcast<u32>(10i));
+                                                            phi_1716_ = (_e895 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1398 = phi_1718_;
-                                                        let _e1406 = (_e271 == 1u);
-                                                        if _e1406 {
-                                                            phi_1739_ = ((_e1365 >> bitcast<u32>(21i)) | (_e1371 << bitcast<u32>(11i)));
+                                                        let _e922 = phi_1716_;
+                                                        let _e930 = (_e271 == 1u);
+                                                        if _e930 {
+                                                            phi_1737_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1739_ = (_e1371 >> bitcast<u32>(10i));
+                                                            phi_1737_ = (_e895 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1415 = phi_1739_;
-                                                        let _e1424 = (_e1272 + 2u);
-                                                        let _e1425 = (_e1424 < _e102);
-                                                        if _e1425 {
-                                                            if _e1425 {
+                                                        let _e939 = phi_1737_;
+                                                        let _e948 = (_e796 + 2u);
+                                                        let _e949 = (_e948 < _e102);
+                                                        if _e949 {
+                                                            if _e949 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1427 = global_5.member[_e1424];
-                                                            phi_1769_ = _e1427;
+                                                            let _e951 = global_5.member[_e948];
+                                                            phi_1767_ = _e951;
                                                         } else {
-                                                            phi_1769_ = 0u;
+                                                            phi_1767_ = 0u;
                                                         }
-                                                        let _e1429 = phi_1769_;
-                                                        let _e1430 = (_e1272 + 3u);
-                                                        let _e1431 = (_e1430 < _e102);
-                                                        if _e1431 {
-                                                            if _e1431 {
+                                                        let _e953 = phi_1767_;
+                                                        let _e954 = (_e796 + 3u);
+                                                        let _e955 = (_e954 < _e102);
+                                                        if _e955 {
+                                                            if _e955 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1433 = global_5.member[_e1430];
-                                                            phi_1784_ = _e1433;
+                                                            let _e957 = global_5.member[_e954];
+                                                            phi_1782_ = _e957;
                                                         } else {
-                                                            phi_1784_ = 0u;
+                                                            phi_1782_ = 0u;
                                                         }
-                                                        let _e1435 = phi_1784_;
-                                                        if _e1372 {
-                                                            phi_1794_ = ((_e1429 >> bitcast<u32>(21i)) | (_e1435 << bitcast<u32>(11i)));
+                                                        let _e959 = phi_1782_;
+                                                        if _e896 {
+                                                            phi_1792_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1794_ = (_e1435 >> bitcast<u32>(10i));
+                                                            phi_1792_ = (_e959 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1444 = phi_1794_;
-                                                        if _e1389 {
-                                                            phi_1815_ = ((_e1429 >> bitcast<u32>(21i)) | (_e1435 << bitcast<u32>(11i)));
+                                                        let _e968 = phi_1792_;
+                                                        if _e913 {
+                                                            phi_1813_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1815_ = (_e1435 >> bitcast<u32>(10i));
+                                                            phi_1813_ = (_e959 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1460 = phi_1815_;
-                                                        if _e1406 {
-                                                            phi_1836_ = ((_e1429 >> bitcast<u32>(21i)) | (_e1435 << bitcast<u32>(11i)));
+                                                        let _e984 = phi_1813_;
+                                                        if _e930 {
+                                                            phi_1834_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1836_ = (_e1435 >> bitcast<u32>(10i));
+                                                            phi_1834_ = (_e959 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1476 = phi_1836_;
-                                                        let _e1485 = (_e1272 + 4u);
-                                                        let _e1486 = (_e1485 < _e102);
-                                                        if _e1486 {
-                                                            if _e1486 {
+                                                        let _e1000 = phi_1834_;
+                                                        let _e1009 = (_e796 + 4u);
+                                                        let _e1010 = (_e1009 < _e102);
+                                                        if _e1010 {
+                                                            if _e1010 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1488 = global_5.member[_e1485];
-                                                            phi_1866_ = _e1488;
+                                                            let _e1012 = global_5.member[_e1009];
+                                                            phi_1864_ = _e1012;
                                                         } else {
-                                                            phi_1866_ = 0u;
+                                                            phi_1864_ = 0u;
                                                         }
-                                                        let _e1490 = phi_1866_;
-                                                        let _e1491 = (_e1272 + 5u);
-                                                        let _e1492 = (_e1491 < _e102);
-                                                        if _e1492 {
-                                                            if _e1492 {
+                                                        let _e1014 = phi_1864_;
+                                                        let _e1015 = (_e796 + 5u);
+                                                        let _e1016 = (_e1015 < _e102);
+                                                        if _e1016 {
+                                                            if _e1016 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1494 = global_5.member[_e1491];
-                                                            phi_1881_ = _e1494;
+                                                            let _e1018 = global_5.member[_e1015];
+                                                            phi_1879_ = _e1018;
                                                         } else {
-                                                            phi_1881_ = 0u;
+                                                            phi_1879_ = 0u;
                                                         }
-                                                        let _e1496 = phi_1881_;
-                                                        if _e1372 {
-                                                            phi_1891_ = ((_e1490 >> bitcast<u32>(21i)) | (_e1496 << bitcast<u32>(11i)));
+                                                        let _e1020 = phi_1879_;
+                                                        if _e896 {
+                                                            phi_1889_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1891_ = (_e1496 >> bitcast<u32>(10i));
+                                                            phi_1889_ = (_e1020 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1505 = phi_1891_;
-                                                        if _e1389 {
-                                                            phi_1912_ = ((_e1490 >> bitcast<u32>(21i)) | (_e1496 << bitcast<u32>(11i)));
+                                                        let _e1029 = phi_1889_;
+                                                        if _e913 {
+                                                            phi_1910_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1912_ = (_e1496 >> bitcast<u32>(10i));
+                                                            phi_1910_ = (_e1020 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1521 = phi_1912_;
-                                                        if _e1406 {
-                                                            phi_1933_ = ((_e1490 >> bitcast<u32>(21i)) | (_e1496 << bitcast<u32>(11i)));
+                                                        let _e1045 = phi_1910_;
+                                                        if _e930 {
+                                                            phi_1931_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1933_ = (_e1496 >> bitcast<u32>(10i));
+                                                            phi_1931_ = (_e1020 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1537 = phi_1933_;
-                                                        phi_2124_ = array<array<f32, 3>, 3>(array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1381, _e1365, _e309) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1398, _e1365, _e378) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1415, _e1365, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1444, _e1429, _e309) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1460, _e1429, _e378) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1476, _e1429, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1505, _e1490, _e309) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1521, _e1490, _e378) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1537, _e1490, _e446) & 2097151u))) - 8388608f) * _e150))));
+                                                        let _e1061 = phi_1931_;
+                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | (select(_e905, _e889, _e309) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | (select(_e922, _e889, _e378) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | (select(_e939, _e889, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | (select(_e968, _e953, _e309) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | (select(_e984, _e953, _e378) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1000, _e953, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1029, _e1014, _e309) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1045, _e1014, _e378) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1061, _e1014, _e446) & 2097151u))) - 8388608f) * _e150))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1274 = (_e1272 + _e270);
-                                                        let _e1275 = (_e1274 < _e102);
-                                                        if _e1275 {
-                                                            if _e1275 {
+                                                        let _e798 = (_e796 + _e270);
+                                                        let _e799 = (_e798 < _e102);
+                                                        if _e799 {
+                                                            if _e799 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1277 = global_5.member[_e1274];
-                                                            phi_1964_ = _e1277;
+                                                            let _e801 = global_5.member[_e798];
+                                                            phi_1962_ = _e801;
                                                         } else {
-                                                            phi_1964_ = 0u;
+                                                            phi_1962_ = 0u;
                                                         }
-                                                        let _e1279 = phi_1964_;
-                                                        let _e1283 = (_e1272 + _e269);
-                                                        let _e1284 = (_e1283 < _e102);
-                                                        if _e1284 {
-                                                            if _e1284 {
+                                                        let _e803 = phi_1962_;
+                                                        let _e807 = (_e796 + _e269);
+                                                        let _e808 = (_e807 < _e102);
+                                                        if _e808 {
+                                                            if _e808 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1286 = global_5.member[_e1283];
-                                                            phi_1982_ = _e1286;
+                                                            let _e810 = global_5.member[_e807];
+                                                            phi_1980_ = _e810;
                                                         } else {
-                                                            phi_1982_ = 0u;
+                                                            phi_1980_ = 0u;
                                                         }
-                                                        let _e1288 = phi_1982_;
-                                                        let _e1292 = (_e1272 + _e271);
-                                                        let _e1293 = (_e1292 < _e102);
-                                                        if _e1293 {
-                                                            if _e1293 {
+                                                        let _e812 = phi_1980_;
+                                                        let _e816 = (_e796 + _e271);
+                                                        let _e817 = (_e816 < _e102);
+                                                        if _e817 {
+                                                            if _e817 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1295 = global_5.member[_e1292];
-                                                            phi_2000_ = _e1295;
+                                                            let _e819 = global_5.member[_e816];
+                                                            phi_1998_ = _e819;
                                                         } else {
-                                                            phi_2000_ = 0u;
+                                                            phi_1998_ = 0u;
                                                         }
-                                                        let _e1297 = phi_2000_;
-                                                        let _e1302 = (_e1272 + 3u);
-                                                        let _e1303 = (_e1302 + _e270);
-                                                        let _e1304 = (_e1303 < _e102);
-                                                        if _e1304 {
-                                                            if _e1304 {
+                                                        let _e821 = phi_1998_;
+                                                        let _e826 = (_e796 + 3u);
+                                                        let _e827 = (_e826 + _e270);
+                                                        let _e828 = (_e827 < _e102);
+                                                        if _e828 {
+                                                            if _e828 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1306 = global_5.member[_e1303];
-                                                            phi_2023_ = _e1306;
+                                                            let _e830 = global_5.member[_e827];
+                                                            phi_2021_ = _e830;
                                                         } else {
-                                                            phi_2023_ = 0u;
+                                                            phi_2021_ = 0u;
                                                         }
-                                                        let _e1308 = phi_2023_;
-                                                        let _e1312 = (_e1302 + _e269);
-                                                        let _e1313 = (_e1312 < _e102);
-                                                        if _e1313 {
-                                                            if _e1313 {
+                                                        let _e832 = phi_2021_;
+                                                        let _e836 = (_e826 + _e269);
+                                                        let _e837 = (_e836 < _e102);
+                                                        if _e837 {
+                                                            if _e837 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1315 = global_5.member[_e1312];
-                                                            phi_2041_ = _e1315;
+                                                            let _e839 = global_5.member[_e836];
+                                                            phi_2039_ = _e839;
                                                         } else {
-                                                            phi_2041_ = 0u;
+                                                            phi_2039_ = 0u;
                                                         }
-                                                        let _e1317 = phi_2041_;
-                                                        let _e1321 = (_e1302 + _e271);
-                                                        let _e1322 = (_e1321 < _e102);
-                                                        if _e1322 {
-                                                            if _e1322 {
+                                                        let _e841 = phi_2039_;
+                                                        let _e845 = (_e826 + _e271);
+                                                        let _e846 = (_e845 < _e102);
+                                                        if _e846 {
+                                                            if _e846 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1324 = global_5.member[_e1321];
-                                                            phi_2059_ = _e1324;
+                                                            let _e848 = global_5.member[_e845];
+                                                            phi_2057_ = _e848;
                                                         } else {
-                                                            phi_2059_ = 0u;
+                                                            phi_2057_ = 0u;
                                                         }
-                                                        let _e1326 = phi_2059_;
-                                                        let _e1331 = (_e1272 + 6u);
-                                                        let _e1332 = (_e1331 + _e270);
-                                                        let _e1333 = (_e1332 < _e102);
-                                                        if _e1333 {
-                                                            if _e1333 {
+                                                        let _e850 = phi_2057_;
+                                                        let _e855 = (_e796 + 6u);
+                                                        let _e856 = (_e855 + _e270);
+                                                        let _e857 = (_e856 < _e102);
+                                                        if _e857 {
+                                                            if _e857 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1335 = global_5.member[_e1332];
-                                                            phi_2082_ = _e1335;
+                                                            let _e859 = global_5.member[_e856];
+                                                            phi_2080_ = _e859;
                                                         } else {
-                                                            phi_2082_ = 0u;
+                                                            phi_2080_ = 0u;
                                                         }
-                                                        let _e1337 = phi_2082_;
-                                                        let _e1341 = (_e1331 + _e269);
-                                                        let _e1342 = (_e1341 < _e102);
-                                                        if _e1342 {
-                                                            if _e1342 {
+                                                        let _e861 = phi_2080_;
+                                                        let _e865 = (_e855 + _e269);
+                                                        let _e866 = (_e865 < _e102);
+                                                        if _e866 {
+                                                            if _e866 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1344 = global_5.member[_e1341];
-                                                            phi_2100_ = _e1344;
+                                                            let _e868 = global_5.member[_e865];
+                                                            phi_2098_ = _e868;
                                                         } else {
-                                                            phi_2100_ = 0u;
+                                                            phi_2098_ = 0u;
                                                         }
-                                                        let _e1346 = phi_2100_;
-                                                        let _e1350 = (_e1331 + _e271);
-                                                        let _e1351 = (_e1350 < _e102);
-                                                        if _e1351 {
-                                                            if _e1351 {
+                                                        let _e870 = phi_2098_;
+                                                        let _e874 = (_e855 + _e271);
+                                                        let _e875 = (_e874 < _e102);
+                                                        if _e875 {
+                                                            if _e875 {
                                                             } else {
-                                                                phi_5365_ = _e1200;
-                                                                phi_5207_ = true;
+                                                                phi_5214_ = _e724;
+                                                                phi_5151_ = true;
                                                                 break;
                                                             }
-                                                            let _e1353 = global_5.member[_e1350];
-                                                            phi_2118_ = _e1353;
+                                                            let _e877 = global_5.member[_e874];
+                                                            phi_2116_ = _e877;
                                                         } else {
-                                                            phi_2118_ = 0u;
+                                                            phi_2116_ = 0u;
                                                         }
-                                                        let _e1355 = phi_2118_;
-                                                        phi_2124_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1279)) * _e150), (f32(bitcast<i32>(_e1288)) * _e150), (f32(bitcast<i32>(_e1297)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e1308)) * _e150), (f32(bitcast<i32>(_e1317)) * _e150), (f32(bitcast<i32>(_e1326)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e1337)) * _e150), (f32(bitcast<i32>(_e1346)) * _e150), (f32(bitcast<i32>(_e1355)) * _e150)));
+                                                        let _e879 = phi_2116_;
+                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e803)) * _e150), (f32(bitcast<i32>(_e812)) * _e150), (f32(bitcast<i32>(_e821)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e832)) * _e150), (f32(bitcast<i32>(_e841)) * _e150), (f32(bitcast<i32>(_e850)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e861)) * _e150), (f32(bitcast<i32>(_e870)) * _e150), (f32(bitcast<i32>(_e879)) * _e150)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2124_ = array<array<f32, 3>, 3>();
+                                                        phi_2122_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1647 = phi_2124_;
-                                                let _e1654 = (_e1647[0][2] - _e471);
-                                                let _e1657 = (((_e1647[0][0] - _e334) * _e510) - (_e1654 * _e374));
-                                                let _e1660 = (((_e1647[0][1] - _e403) * _e510) - (_e1654 * _e442));
-                                                let _e1667 = (_e1647[1][2] - _e471);
-                                                let _e1670 = (((_e1647[1][0] - _e334) * _e510) - (_e1667 * _e374));
-                                                let _e1673 = (((_e1647[1][1] - _e403) * _e510) - (_e1667 * _e442));
-                                                let _e1680 = (_e1647[2][2] - _e471);
-                                                let _e1683 = (((_e1647[2][0] - _e334) * _e510) - (_e1680 * _e374));
-                                                let _e1686 = (((_e1647[2][1] - _e403) * _e510) - (_e1680 * _e442));
-                                                let _e1687 = (_e1683 * _e1673);
-                                                let _e1688 = (_e1686 * _e1670);
-                                                let _e1689 = (_e1657 * _e1686);
-                                                let _e1690 = (_e1660 * _e1683);
-                                                let _e1691 = (_e1670 * _e1660);
-                                                let _e1692 = (_e1673 * _e1657);
-                                                let _e1697 = (((_e1687 >= _e1688) && (_e1689 >= _e1690)) && (_e1691 >= _e1692));
-                                                if (_e1697 || (((_e1687 <= _e1688) && (_e1689 <= _e1690)) && (_e1691 <= _e1692))) {
-                                                    let _e1704 = select(-1f, 1f, _e1697);
-                                                    let _e1706 = ((_e1687 - _e1688) * _e1704);
-                                                    let _e1708 = select(0f, _e1706, (_e1706 > 0f));
-                                                    let _e1710 = ((_e1689 - _e1690) * _e1704);
-                                                    let _e1712 = select(0f, _e1710, (_e1710 > 0f));
-                                                    let _e1714 = ((_e1691 - _e1692) * _e1704);
-                                                    let _e1716 = select(0f, _e1714, (_e1714 > 0f));
-                                                    let _e1718 = ((_e1708 + _e1712) + _e1716);
-                                                    if (_e1718 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_3009_ = type_20();
-                                                        phi_3010_ = true;
-                                                        phi_3011_ = false;
+                                                let _e1171 = phi_2122_;
+                                                let _e1178 = (_e1171[0][2] - _e471);
+                                                let _e1181 = (((_e1171[0][0] - _e334) * _e510) - (_e1178 * _e374));
+                                                let _e1184 = (((_e1171[0][1] - _e403) * _e510) - (_e1178 * _e442));
+                                                let _e1191 = (_e1171[1][2] - _e471);
+                                                let _e1194 = (((_e1171[1][0] - _e334) * _e510) - (_e1191 * _e374));
+                                                let _e1197 = (((_e1171[1][1] - _e403) * _e510) - (_e1191 * _e442));
+                                                let _e1204 = (_e1171[2][2] - _e471);
+                                                let _e1207 = (((_e1171[2][0] - _e334) * _e510) - (_e1204 * _e374));
+                                                let _e1210 = (((_e1171[2][1] - _e403) * _e510) - (_e1204 * _e442));
+                                                let _e1211 = (_e1207 * _e1197);
+                                                let _e1212 = (_e1210 * _e1194);
+                                                let _e1213 = (_e1181 * _e1210);
+                                                let _e1214 = (_e1184 * _e1207);
+                                                let _e1215 = (_e1194 * _e1184);
+                                                let _e1216 = (_e1197 * _e1181);
+                                                let _e1221 = (((_e1211 >= _e1212) && (_e1213 >= _e1214)) && (_e1215 >= _e1216));
+                                                if (_e1221 || (((_e1211 <= _e1212) && (_e1213 <= _e1214)) && (_e1215 <= _e1216))) {
+                                                    let _e1228 = select(-1f, 1f, _e1221);
+                                                    let _e1230 = ((_e1211 - _e1212) * _e1228);
+                                                    let _e1232 = select(0f, _e1230, (_e1230 > 0f));
+                                                    let _e1234 = ((_e1213 - _e1214) * _e1228);
+                                                    let _e1236 = select(0f, _e1234, (_e1234 > 0f));
+                                                    let _e1238 = ((_e1215 - _e1216) * _e1228);
+                                                    let _e1240 = select(0f, _e1238, (_e1238 > 0f));
+                                                    let _e1242 = ((_e1232 + _e1236) + _e1240);
+                                                    if (_e1242 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_3007_ = type_20();
+                                                        phi_3008_ = true;
+                                                        phi_3009_ = false;
                                                     } else {
-                                                        let _e1721 = select(_e1670, _e1657, (_e1657 < _e1670));
-                                                        if (select(_e1683, _e1721, (_e1721 < _e1683)) > 0f) {
-                                                            phi_2277_ = true;
+                                                        let _e1245 = select(_e1194, _e1181, (_e1181 < _e1194));
+                                                        if (select(_e1207, _e1245, (_e1245 < _e1207)) > 0f) {
+                                                            phi_2275_ = true;
                                                         } else {
-                                                            let _e1726 = select(_e1670, _e1657, (_e1657 > _e1670));
-                                                            phi_2277_ = (select(_e1683, _e1726, (_e1726 > _e1683)) < 0f);
+                                                            let _e1250 = select(_e1194, _e1181, (_e1181 > _e1194));
+                                                            phi_2275_ = (select(_e1207, _e1250, (_e1250 > _e1207)) < 0f);
                                                         }
-                                                        let _e1731 = phi_2277_;
-                                                        if _e1731 {
-                                                            phi_3006_ = type_20();
-                                                            phi_3007_ = true;
-                                                            phi_3008_ = false;
+                                                        let _e1255 = phi_2275_;
+                                                        if _e1255 {
+                                                            phi_3004_ = type_20();
+                                                            phi_3005_ = true;
+                                                            phi_3006_ = false;
                                                         } else {
-                                                            let _e1733 = select(_e1673, _e1660, (_e1660 < _e1673));
-                                                            if (select(_e1686, _e1733, (_e1733 < _e1686)) > 0f) {
-                                                                phi_2306_ = true;
+                                                            let _e1257 = select(_e1197, _e1184, (_e1184 < _e1197));
+                                                            if (select(_e1210, _e1257, (_e1257 < _e1210)) > 0f) {
+                                                                phi_2304_ = true;
                                                             } else {
-                                                                let _e1738 = select(_e1673, _e1660, (_e1660 > _e1673));
-                                                                phi_2306_ = (select(_e1686, _e1738, (_e1738 > _e1686)) < 0f);
+                                                                let _e1262 = select(_e1197, _e1184, (_e1184 > _e1197));
+                                                                phi_2304_ = (select(_e1210, _e1262, (_e1262 > _e1210)) < 0f);
                                                             }
-                                                            let _e1743 = phi_2306_;
-                                                            if _e1743 {
-                                                                phi_3004_ = type_20();
-                                                                phi_3005_ = false;
+                                                            let _e1267 = phi_2304_;
+                                                            if _e1267 {
+                                                                phi_3002_ = type_20();
+                                                                phi_3003_ = false;
                                                             } else {
-                                                                let _e1745 = select(_e1647[1][0], _e1647[0][0], (_e1647[0][0] < _e1647[1][0]));
-                                                                let _e1749 = select(_e1647[1][0], _e1647[0][0], (_e1647[0][0] > _e1647[1][0]));
-                                                                let _e1753 = select(_e1647[1][1], _e1647[0][1], (_e1647[0][1] < _e1647[1][1]));
-                                                                let _e1757 = select(_e1647[1][1], _e1647[0][1], (_e1647[0][1] > _e1647[1][1]));
-                                                                let _e1761 = select(_e1647[1][2], _e1647[0][2], (_e1647[0][2] < _e1647[1][2]));
-                                                                let _e1765 = select(_e1647[1][2], _e1647[0][2], (_e1647[0][2] > _e1647[1][2]));
-                                                                let _e1770 = ((select(_e1647[2][0], _e1745, (_e1745 < _e1647[2][0])) - _e372) * _e377);
-                                                                let _e1771 = ((select(_e1647[2][0], _e1749, (_e1749 > _e1647[2][0])) - _e373) * _e377);
-                                                                let _e1774 = ((select(_e1647[2][1], _e1753, (_e1753 < _e1647[2][1])) - _e440) * _e445);
-                                                                let _e1775 = ((select(_e1647[2][1], _e1757, (_e1757 > _e1647[2][1])) - _e441) * _e445);
-                                                                let _e1778 = ((select(_e1647[2][2], _e1761, (_e1761 < _e1647[2][2])) - _e508) * _e513);
-                                                                let _e1779 = ((select(_e1647[2][2], _e1765, (_e1765 > _e1647[2][2])) - _e509) * _e513);
-                                                                let _e1781 = select(_e1779, _e1778, (_e1778 < _e1779));
-                                                                let _e1783 = select(_e1779, _e1778, (_e1778 > _e1779));
-                                                                let _e1785 = select(_e1771, _e1770, (_e1770 < _e1771));
-                                                                let _e1787 = select(_e1775, _e1774, (_e1774 < _e1775));
-                                                                let _e1789 = select(_e1787, _e1785, (_e1785 > _e1787));
-                                                                let _e1791 = select(_e1781, _e1789, (_e1789 > _e1781));
-                                                                let _e1793 = select(_e1771, _e1770, (_e1770 > _e1771));
-                                                                let _e1795 = select(_e1775, _e1774, (_e1774 > _e1775));
-                                                                let _e1797 = select(_e1795, _e1793, (_e1793 < _e1795));
-                                                                let _e1799 = select(_e1783, _e1797, (_e1797 < _e1783));
-                                                                let _e1800 = -(_e1781);
-                                                                let _e1806 = select(_e625, _e1791, (_e1791 > _e625));
-                                                                if (_e1806 > (_e1799 + (select(_e1800, _e1783, (_e1783 > _e1800)) * 0.0000019073523f))) {
-                                                                    phi_2999_ = type_20();
-                                                                    phi_3000_ = true;
+                                                                let _e1269 = select(_e1171[1][0], _e1171[0][0], (_e1171[0][0] < _e1171[1][0]));
+                                                                let _e1273 = select(_e1171[1][0], _e1171[0][0], (_e1171[0][0] > _e1171[1][0]));
+                                                                let _e1277 = select(_e1171[1][1], _e1171[0][1], (_e1171[0][1] < _e1171[1][1]));
+                                                                let _e1281 = select(_e1171[1][1], _e1171[0][1], (_e1171[0][1] > _e1171[1][1]));
+                                                                let _e1285 = select(_e1171[1][2], _e1171[0][2], (_e1171[0][2] < _e1171[1][2]));
+                                                                let _e1289 = select(_e1171[1][2], _e1171[0][2], (_e1171[0][2] > _e1171[1][2]));
+                                                                let _e1294 = ((select(_e1171[2][0], _e1269, (_e1269 < _e1171[2][0])) - _e372) * _e377);
+                                                                let _e1295 = ((select(_e1171[2][0], _e1273, (_e1273 > _e1171[2][0])) - _e373) * _e377);
+                                                                let _e1298 = ((select(_e1171[2][1], _e1277, (_e1277 < _e1171[2][1])) - _e440) * _e445);
+                                                                let _e1299 = ((select(_e1171[2][1], _e1281, (_e1281 > _e1171[2][1])) - _e441) * _e445);
+                                                                let _e1302 = ((select(_e1171[2][2], _e1285, (_e1285 < _e1171[2][2])) - _e508) * _e513);
+                                                                let _e1303 = ((select(_e1171[2][2], _e1289, (_e1289 > _e1171[2][2])) - _e509) * _e513);
+                                                                let _e1305 = select(_e1303, _e1302, (_e1302 < _e1303));
+                                                                let _e1307 = select(_e1303, _e1302, (_e1302 > _e1303));
+                                                                let _e1309 = select(_e1295, _e1294, (_e1294 < _e1295));
+                                                                let _e1311 = select(_e1299, _e1298, (_e1298 < _e1299));
+                                                                let _e1313 = select(_e1311, _e1309, (_e1309 > _e1311));
+                                                                let _e1315 = select(_e1305, _e1313, (_e1313 > _e1305));
+                                                                let _e1317 = select(_e1295, _e1294, (_e1294 > _e1295));
+                                                                let _e1319 = select(_e1299, _e1298, (_e1298 > _e1299));
+                                                                let _e1321 = select(_e1319, _e1317, (_e1317 < _e1319));
+                                                                let _e1323 = select(_e1307, _e1321, (_e1321 < _e1307));
+                                                                let _e1324 = -(_e1305);
+                                                                let _e1330 = select(_e625, _e1315, (_e1315 > _e625));
+                                                                if (_e1330 > (_e1323 + (select(_e1324, _e1307, (_e1307 > _e1324)) * 0.0000019073523f))) {
+                                                                    phi_2997_ = type_20();
+                                                                    phi_2998_ = true;
                                                                 } else {
-                                                                    let _e1808 = (_e1806 > _e1200);
-                                                                    if _e1808 {
-                                                                        phi_2998_ = type_20();
+                                                                    let _e1332 = (_e1330 > _e724);
+                                                                    if _e1332 {
+                                                                        phi_2996_ = type_20();
                                                                     } else {
-                                                                        let _e1809 = vec3<f32>(_e1647[0][0], _e1647[0][1], _e1647[0][2]);
-                                                                        let _e1810 = vec3<f32>(_e1647[1][0], _e1647[1][1], _e1647[1][2]);
-                                                                        let _e1811 = vec3<f32>(_e1647[2][0], _e1647[2][1], _e1647[2][2]);
-                                                                        let _e1812 = (_e1647[1][0] - _e1647[0][0]);
-                                                                        let _e1813 = (_e1647[1][1] - _e1647[0][1]);
-                                                                        let _e1814 = (_e1647[1][2] - _e1647[0][2]);
-                                                                        let _e1815 = vec3<f32>(_e1812, _e1813, _e1814);
-                                                                        let _e1816 = (_e1647[2][0] - _e1647[1][0]);
-                                                                        let _e1817 = (_e1647[2][1] - _e1647[1][1]);
-                                                                        let _e1818 = (_e1647[2][2] - _e1647[1][2]);
-                                                                        let _e1819 = vec3<f32>(_e1816, _e1817, _e1818);
-                                                                        let _e1820 = (_e1647[0][0] - _e1647[2][0]);
-                                                                        let _e1821 = (_e1647[0][1] - _e1647[2][1]);
-                                                                        let _e1822 = (_e1647[0][2] - _e1647[2][2]);
-                                                                        let _e1823 = vec3<f32>(_e1820, _e1821, _e1822);
-                                                                        let _e1826 = bitcast<f32>((bitcast<u32>(_e1812) & 2147483647u));
-                                                                        let _e1829 = bitcast<f32>((bitcast<u32>(_e1813) & 2147483647u));
-                                                                        let _e1831 = select(_e1829, _e1826, (_e1826 > _e1829));
-                                                                        let _e1834 = bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u));
-                                                                        let _e1836 = select(_e1834, _e1831, (_e1831 > _e1834));
-                                                                        let _e1839 = bitcast<f32>((bitcast<u32>(_e1816) & 2147483647u));
-                                                                        let _e1842 = bitcast<f32>((bitcast<u32>(_e1817) & 2147483647u));
-                                                                        let _e1844 = select(_e1842, _e1839, (_e1839 > _e1842));
-                                                                        let _e1847 = bitcast<f32>((bitcast<u32>(_e1818) & 2147483647u));
-                                                                        let _e1849 = select(_e1847, _e1844, (_e1844 > _e1847));
-                                                                        let _e1852 = bitcast<f32>((bitcast<u32>(_e1820) & 2147483647u));
-                                                                        let _e1855 = bitcast<f32>((bitcast<u32>(_e1821) & 2147483647u));
-                                                                        let _e1857 = select(_e1855, _e1852, (_e1852 > _e1855));
-                                                                        let _e1860 = bitcast<f32>((bitcast<u32>(_e1822) & 2147483647u));
-                                                                        let _e1862 = select(_e1860, _e1857, (_e1857 > _e1860));
-                                                                        let _e1864 = select(_e1849, _e1836, (_e1836 > _e1849));
-                                                                        let _e1866 = select(_e1862, _e1864, (_e1864 > _e1862));
-                                                                        if (_e1836 == _e1866) {
-                                                                            phi_2725_ = _e1673;
-                                                                            phi_2726_ = _e1670;
-                                                                            phi_2727_ = _e1660;
-                                                                            phi_2728_ = _e1657;
-                                                                            phi_2729_ = _e1809;
-                                                                            phi_2730_ = _e1823;
-                                                                            phi_2731_ = _e1819;
-                                                                            phi_2732_ = _e1815;
+                                                                        let _e1333 = vec3<f32>(_e1171[0][0], _e1171[0][1], _e1171[0][2]);
+                                                                        let _e1334 = vec3<f32>(_e1171[1][0], _e1171[1][1], _e1171[1][2]);
+                                                                        let _e1335 = vec3<f32>(_e1171[2][0], _e1171[2][1], _e1171[2][2]);
+                                                                        let _e1336 = (_e1171[1][0] - _e1171[0][0]);
+                                                                        let _e1337 = (_e1171[1][1] - _e1171[0][1]);
+                                                                        let _e1338 = (_e1171[1][2] - _e1171[0][2]);
+                                                                        let _e1339 = vec3<f32>(_e1336, _e1337, _e1338);
+                                                                        let _e1340 = (_e1171[2][0] - _e1171[1][0]);
+                                                                        let _e1341 = (_e1171[2][1] - _e1171[1][1]);
+                                                                        let _e1342 = (_e1171[2][2] - _e1171[1][2]);
+                                                                        let _e1343 = vec3<f32>(_e1340, _e1341, _e1342);
+                                                                        let _e1344 = (_e1171[0][0] - _e1171[2][0]);
+                                                                        let _e1345 = (_e1171[0][1] - _e1171[2][1]);
+                                                                        let _e1346 = (_e1171[0][2] - _e1171[2][2]);
+                                                                        let _e1347 = vec3<f32>(_e1344, _e1345, _e1346);
+                                                                        let _e1350 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
+                                                                        let _e1353 = bitcast<f32>((bitcast<u32>(_e1337) & 2147483647u));
+                                                                        let _e1355 = select(_e1353, _e1350, (_e1350 > _e1353));
+                                                                        let _e1358 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
+                                                                        let _e1360 = select(_e1358, _e1355, (_e1355 > _e1358));
+                                                                        let _e1363 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
+                                                                        let _e1366 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
+                                                                        let _e1368 = select(_e1366, _e1363, (_e1363 > _e1366));
+                                                                        let _e1371 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
+                                                                        let _e1373 = select(_e1371, _e1368, (_e1368 > _e1371));
+                                                                        let _e1376 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
+                                                                        let _e1379 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
+                                                                        let _e1381 = select(_e1379, _e1376, (_e1376 > _e1379));
+                                                                        let _e1384 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
+                                                                        let _e1386 = select(_e1384, _e1381, (_e1381 > _e1384));
+                                                                        let _e1388 = select(_e1373, _e1360, (_e1360 > _e1373));
+                                                                        let _e1390 = select(_e1386, _e1388, (_e1388 > _e1386));
+                                                                        if (_e1360 == _e1390) {
+                                                                            phi_2723_ = _e1197;
+                                                                            phi_2724_ = _e1194;
+                                                                            phi_2725_ = _e1184;
+                                                                            phi_2726_ = _e1181;
+                                                                            phi_2727_ = _e1333;
+                                                                            phi_2728_ = _e1347;
+                                                                            phi_2729_ = _e1343;
+                                                                            phi_2730_ = _e1339;
                                                                         } else {
-                                                                            let _e1868 = (_e1849 == _e1866);
-                                                                            let _e1873 = vec3(_e1868);
-                                                                            phi_2725_ = select(_e1660, _e1686, _e1868);
-                                                                            phi_2726_ = select(_e1657, _e1683, _e1868);
-                                                                            phi_2727_ = select(_e1686, _e1673, _e1868);
-                                                                            phi_2728_ = select(_e1683, _e1670, _e1868);
-                                                                            phi_2729_ = select(_e1811, _e1810, _e1873);
-                                                                            phi_2730_ = select(_e1819, _e1815, _e1873);
-                                                                            phi_2731_ = select(_e1815, _e1823, _e1873);
-                                                                            phi_2732_ = select(_e1823, _e1819, _e1873);
+                                                                            let _e1392 = (_e1373 == _e1390);
+                                                                            let _e1397 = vec3(_e1392);
+                                                                            phi_2723_ = select(_e1184, _e1210, _e1392);
+                                                                            phi_2724_ = select(_e1181, _e1207, _e1392);
+                                                                            phi_2725_ = select(_e1210, _e1197, _e1392);
+                                                                            phi_2726_ = select(_e1207, _e1194, _e1392);
+                                                                            phi_2727_ = select(_e1335, _e1334, _e1397);
+                                                                            phi_2728_ = select(_e1343, _e1339, _e1397);
+                                                                            phi_2729_ = select(_e1339, _e1347, _e1397);
+                                                                            phi_2730_ = select(_e1347, _e1343, _e1397);
                                                                         }
-                                                                        let _e1879 = phi_2725_;
-                                                                        let _e1881 = phi_2726_;
-                                                                        let _e1883 = phi_2727_;
-                                                                        let _e1885 = phi_2728_;
-                                                                        let _e1887 = phi_2729_;
-                                                                        let _e1889 = phi_2730_;
-                                                                        let _e1891 = phi_2731_;
-                                                                        let _e1893 = phi_2732_;
-                                                                        let _e1900 = ((_e1891.y * _e1889.z) - (_e1889.y * _e1891.z));
-                                                                        let _e1905 = ((_e1891.z * _e1889.x) - (_e1889.z * _e1891.x));
-                                                                        let _e1908 = ((_e1891.x * _e1889.y) - (_e1889.x * _e1891.y));
-                                                                        if (_e1708 >= _e1712) {
-                                                                            phi_2769_ = select(true, false, (_e1708 >= _e1716));
+                                                                        let _e1403 = phi_2723_;
+                                                                        let _e1405 = phi_2724_;
+                                                                        let _e1407 = phi_2725_;
+                                                                        let _e1409 = phi_2726_;
+                                                                        let _e1411 = phi_2727_;
+                                                                        let _e1413 = phi_2728_;
+                                                                        let _e1415 = phi_2729_;
+                                                                        let _e1417 = phi_2730_;
+                                                                        let _e1424 = ((_e1415.y * _e1413.z) - (_e1413.y * _e1415.z));
+                                                                        let _e1429 = ((_e1415.z * _e1413.x) - (_e1413.z * _e1415.x));
+                                                                        let _e1432 = ((_e1415.x * _e1413.y) - (_e1413.x * _e1415.y));
+                                                                        if (_e1232 >= _e1236) {
+                                                                            phi_2767_ = select(true, false, (_e1232 >= _e1240));
                                                                         } else {
-                                                                            phi_2769_ = true;
+                                                                            phi_2767_ = true;
                                                                         }
-                                                                        let _e1913 = phi_2769_;
-                                                                        if _e1913 {
-                                                                            phi_2778_ = select(_e1811, _e1810, vec3((_e1712 >= _e1716)));
+                                                                        let _e1437 = phi_2767_;
+                                                                        if _e1437 {
+                                                                            phi_2776_ = select(_e1335, _e1334, vec3((_e1236 >= _e1240)));
                                                                         } else {
-                                                                            phi_2778_ = _e1809;
+                                                                            phi_2776_ = _e1333;
                                                                         }
-                                                                        let _e1918 = phi_2778_;
-                                                                        let _e1929 = (((_e1900 * (_e1918.x - _e334)) + (_e1905 * (_e1918.y - _e403))) + (_e1908 * (_e1918.z - _e471)));
-                                                                        let _e1934 = (((_e1900 * _e374) + (_e1905 * _e442)) + (_e1908 * _e510));
-                                                                        let _e1935 = (_e1881 - _e1885);
-                                                                        let _e1936 = (_e1879 - _e1883);
-                                                                        let _e1944 = (-(((_e1885 * _e1935) + (_e1883 * _e1936))) / ((_e1935 * _e1935) + (_e1936 * _e1936)));
-                                                                        let _e1946 = select(1f, _e1944, (_e1944 < 1f));
-                                                                        let _e1948 = select(0f, _e1946, (_e1946 > 0f));
-                                                                        let _e1961 = ((_e1887.x + (_e1893.x * _e1948)) - _e334);
-                                                                        let _e1962 = ((_e1887.y + (_e1893.y * _e1948)) - _e403);
-                                                                        let _e1963 = ((_e1887.z + (_e1893.z * _e1948)) - _e471);
-                                                                        let _e1964 = (_e1963 / _e510);
-                                                                        let _e1976 = bitcast<f32>((bitcast<u32>(_e1961) & 2147483647u));
-                                                                        let _e1979 = bitcast<f32>((bitcast<u32>(_e1962) & 2147483647u));
-                                                                        let _e1981 = select(_e1979, _e1976, (_e1976 > _e1979));
-                                                                        let _e1984 = bitcast<f32>((bitcast<u32>(_e1963) & 2147483647u));
-                                                                        let _e1986 = select(_e1984, _e1981, (_e1981 > _e1984));
-                                                                        let _e1992 = bitcast<f32>((bitcast<u32>(_e1900) & 2147483647u));
-                                                                        let _e1995 = bitcast<f32>((bitcast<u32>(_e1905) & 2147483647u));
-                                                                        let _e1997 = select(_e1995, _e1992, (_e1992 > _e1995));
-                                                                        let _e2000 = bitcast<f32>((bitcast<u32>(_e1908) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1900 * _e1961) + (_e1905 * _e1962)) + (_e1908 * _e1963)) - _e1929)) & 2147483647u)) <= ((0.0000009536743f * select(_e1866, _e1986, (_e1986 > _e1866))) * select(_e2000, _e1997, (_e1997 > _e2000)))) {
-                                                                            let _e2010 = bitcast<f32>((bitcast<u32>(_e1891.x) & 2147483647u));
-                                                                            let _e2013 = bitcast<f32>((bitcast<u32>(_e1891.y) & 2147483647u));
-                                                                            let _e2015 = select(_e2013, _e2010, (_e2010 > _e2013));
-                                                                            let _e2018 = bitcast<f32>((bitcast<u32>(_e1891.z) & 2147483647u));
-                                                                            let _e2024 = bitcast<f32>((bitcast<u32>(_e1889.x) & 2147483647u));
-                                                                            let _e2027 = bitcast<f32>((bitcast<u32>(_e1889.y) & 2147483647u));
-                                                                            let _e2029 = select(_e2027, _e2024, (_e2024 > _e2027));
-                                                                            let _e2032 = bitcast<f32>((bitcast<u32>(_e1889.z) & 2147483647u));
-                                                                            let _e2036 = (bitcast<f32>((bitcast<u32>(_e1934) & 2147483647u)) > ((0.0000038146973f * select(_e2018, _e2015, (_e2015 > _e2018))) * select(_e2032, _e2029, (_e2029 > _e2032))));
-                                                                            if _e2036 {
-                                                                                phi_2943_ = (_e1929 / _e1934);
+                                                                        let _e1442 = phi_2776_;
+                                                                        let _e1453 = (((_e1424 * (_e1442.x - _e334)) + (_e1429 * (_e1442.y - _e403))) + (_e1432 * (_e1442.z - _e471)));
+                                                                        let _e1458 = (((_e1424 * _e374) + (_e1429 * _e442)) + (_e1432 * _e510));
+                                                                        let _e1459 = (_e1405 - _e1409);
+                                                                        let _e1460 = (_e1403 - _e1407);
+                                                                        let _e1468 = (-(((_e1409 * _e1459) + (_e1407 * _e1460))) / ((_e1459 * _e1459) + (_e1460 * _e1460)));
+                                                                        let _e1470 = select(1f, _e1468, (_e1468 < 1f));
+                                                                        let _e1472 = select(0f, _e1470, (_e1470 > 0f));
+                                                                        let _e1485 = ((_e1411.x + (_e1417.x * _e1472)) - _e334);
+                                                                        let _e1486 = ((_e1411.y + (_e1417.y * _e1472)) - _e403);
+                                                                        let _e1487 = ((_e1411.z + (_e1417.z * _e1472)) - _e471);
+                                                                        let _e1488 = (_e1487 / _e510);
+                                                                        let _e1500 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
+                                                                        let _e1503 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
+                                                                        let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
+                                                                        let _e1508 = bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u));
+                                                                        let _e1510 = select(_e1508, _e1505, (_e1505 > _e1508));
+                                                                        let _e1516 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
+                                                                        let _e1519 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
+                                                                        let _e1521 = select(_e1519, _e1516, (_e1516 > _e1519));
+                                                                        let _e1524 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1424 * _e1485) + (_e1429 * _e1486)) + (_e1432 * _e1487)) - _e1453)) & 2147483647u)) <= ((0.0000009536743f * select(_e1390, _e1510, (_e1510 > _e1390))) * select(_e1524, _e1521, (_e1521 > _e1524)))) {
+                                                                            let _e1534 = bitcast<f32>((bitcast<u32>(_e1415.x) & 2147483647u));
+                                                                            let _e1537 = bitcast<f32>((bitcast<u32>(_e1415.y) & 2147483647u));
+                                                                            let _e1539 = select(_e1537, _e1534, (_e1534 > _e1537));
+                                                                            let _e1542 = bitcast<f32>((bitcast<u32>(_e1415.z) & 2147483647u));
+                                                                            let _e1548 = bitcast<f32>((bitcast<u32>(_e1413.x) & 2147483647u));
+                                                                            let _e1551 = bitcast<f32>((bitcast<u32>(_e1413.y) & 2147483647u));
+                                                                            let _e1553 = select(_e1551, _e1548, (_e1548 > _e1551));
+                                                                            let _e1556 = bitcast<f32>((bitcast<u32>(_e1413.z) & 2147483647u));
+                                                                            let _e1560 = (bitcast<f32>((bitcast<u32>(_e1458) & 2147483647u)) > ((0.0000038146973f * select(_e1542, _e1539, (_e1539 > _e1542))) * select(_e1556, _e1553, (_e1553 > _e1556))));
+                                                                            if _e1560 {
+                                                                                phi_2941_ = (_e1453 / _e1458);
                                                                             } else {
-                                                                                phi_2943_ = f32();
+                                                                                phi_2941_ = f32();
                                                                             }
-                                                                            let _e2039 = phi_2943_;
-                                                                            phi_2945_ = _e2039;
-                                                                            phi_2946_ = select(true, false, _e2036);
+                                                                            let _e1563 = phi_2941_;
+                                                                            phi_2943_ = _e1563;
+                                                                            phi_2944_ = select(true, false, _e1560);
                                                                         } else {
-                                                                            phi_2945_ = f32();
-                                                                            phi_2946_ = true;
+                                                                            phi_2943_ = f32();
+                                                                            phi_2944_ = true;
                                                                         }
-                                                                        let _e2042 = phi_2945_;
-                                                                        let _e2044 = phi_2946_;
-                                                                        if _e2044 {
-                                                                            let _e2052 = (((_e1900 * (_e1961 - (_e374 * _e1964))) + (_e1905 * (_e1962 - (_e442 * _e1964)))) / _e1934);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e2052) & 2147483647u)) <= _e1866) {
-                                                                                phi_2966_ = (_e1964 + _e2052);
+                                                                        let _e1566 = phi_2943_;
+                                                                        let _e1568 = phi_2944_;
+                                                                        if _e1568 {
+                                                                            let _e1576 = (((_e1424 * (_e1485 - (_e374 * _e1488))) + (_e1429 * (_e1486 - (_e442 * _e1488)))) / _e1458);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1576) & 2147483647u)) <= _e1390) {
+                                                                                phi_2964_ = (_e1488 + _e1576);
                                                                             } else {
-                                                                                phi_2966_ = _e1964;
+                                                                                phi_2964_ = _e1488;
                                                                             }
-                                                                            let _e2059 = phi_2966_;
-                                                                            phi_2967_ = _e2059;
+                                                                            let _e1583 = phi_2964_;
+                                                                            phi_2965_ = _e1583;
                                                                         } else {
-                                                                            phi_2967_ = _e2042;
+                                                                            phi_2965_ = _e1566;
                                                                         }
-                                                                        let _e2061 = phi_2967_;
-                                                                        let _e2063 = select(_e1799, _e2061, (_e2061 < _e1799));
-                                                                        let _e2065 = select(_e1791, _e2063, (_e2063 > _e1791));
-                                                                        if (_e2065 >= _e625) {
-                                                                            let _e2067 = (_e2065 <= _e1200);
-                                                                            if _e2067 {
-                                                                                let _e2068 = (1f / _e1718);
-                                                                                phi_2990_ = type_20(_e2065, (_e1712 * _e2068), (_e1716 * _e2068), _e1260);
+                                                                        let _e1585 = phi_2965_;
+                                                                        let _e1587 = select(_e1323, _e1585, (_e1585 < _e1323));
+                                                                        let _e1589 = select(_e1315, _e1587, (_e1587 > _e1315));
+                                                                        if (_e1589 >= _e625) {
+                                                                            let _e1591 = (_e1589 <= _e724);
+                                                                            if _e1591 {
+                                                                                let _e1592 = (1f / _e1242);
+                                                                                phi_2988_ = type_20(_e1589, (_e1236 * _e1592), (_e1240 * _e1592), _e784);
                                                                             } else {
-                                                                                phi_2990_ = type_20();
+                                                                                phi_2988_ = type_20();
                                                                             }
-                                                                            let _e2073 = phi_2990_;
-                                                                            phi_2992_ = _e2073;
-                                                                            phi_2993_ = select(true, false, _e2067);
+                                                                            let _e1597 = phi_2988_;
+                                                                            phi_2990_ = _e1597;
+                                                                            phi_2991_ = select(true, false, _e1591);
                                                                         } else {
-                                                                            phi_2992_ = type_20();
-                                                                            phi_2993_ = true;
+                                                                            phi_2990_ = type_20();
+                                                                            phi_2991_ = true;
                                                                         }
-                                                                        let _e2076 = phi_2992_;
-                                                                        let _e2078 = phi_2993_;
-                                                                        if _e2078 {
-                                                                            phi_2997_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1600 = phi_2990_;
+                                                                        let _e1602 = phi_2991_;
+                                                                        if _e1602 {
+                                                                            phi_2995_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2997_ = _e2076;
+                                                                            phi_2995_ = _e1600;
                                                                         }
-                                                                        let _e2080 = phi_2997_;
-                                                                        phi_2998_ = _e2080;
+                                                                        let _e1604 = phi_2995_;
+                                                                        phi_2996_ = _e1604;
                                                                     }
-                                                                    let _e2082 = phi_2998_;
-                                                                    phi_2999_ = _e2082;
-                                                                    phi_3000_ = _e1808;
+                                                                    let _e1606 = phi_2996_;
+                                                                    phi_2997_ = _e1606;
+                                                                    phi_2998_ = _e1332;
                                                                 }
-                                                                let _e2084 = phi_2999_;
-                                                                let _e2086 = phi_3000_;
-                                                                phi_3004_ = _e2084;
-                                                                phi_3005_ = _e2086;
+                                                                let _e1608 = phi_2997_;
+                                                                let _e1610 = phi_2998_;
+                                                                phi_3002_ = _e1608;
+                                                                phi_3003_ = _e1610;
                                                             }
-                                                            let _e2088 = phi_3004_;
-                                                            let _e2090 = phi_3005_;
-                                                            phi_3006_ = _e2088;
-                                                            phi_3007_ = _e1743;
-                                                            phi_3008_ = _e2090;
+                                                            let _e1612 = phi_3002_;
+                                                            let _e1614 = phi_3003_;
+                                                            phi_3004_ = _e1612;
+                                                            phi_3005_ = _e1267;
+                                                            phi_3006_ = _e1614;
                                                         }
-                                                        let _e2092 = phi_3006_;
-                                                        let _e2094 = phi_3007_;
-                                                        let _e2096 = phi_3008_;
-                                                        phi_3009_ = _e2092;
-                                                        phi_3010_ = _e2094;
-                                                        phi_3011_ = _e2096;
+                                                        let _e1616 = phi_3004_;
+                                                        let _e1618 = phi_3005_;
+                                                        let _e1620 = phi_3006_;
+                                                        phi_3007_ = _e1616;
+                                                        phi_3008_ = _e1618;
+                                                        phi_3009_ = _e1620;
                                                     }
-                                                    let _e2098 = phi_3009_;
-                                                    let _e2100 = phi_3010_;
-                                                    let _e2102 = phi_3011_;
-                                                    phi_3019_ = _e2098;
-                                                    phi_3020_ = select(_e2102, true, _e2100);
+                                                    let _e1622 = phi_3007_;
+                                                    let _e1624 = phi_3008_;
+                                                    let _e1626 = phi_3009_;
+                                                    phi_3017_ = _e1622;
+                                                    phi_3018_ = select(_e1626, true, _e1624);
                                                 } else {
-                                                    phi_3019_ = type_20();
-                                                    phi_3020_ = true;
+                                                    phi_3017_ = type_20();
+                                                    phi_3018_ = true;
                                                 }
-                                                let _e2105 = phi_3019_;
-                                                let _e2107 = phi_3020_;
-                                                if _e2107 {
-                                                    phi_3024_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1629 = phi_3017_;
+                                                let _e1631 = phi_3018_;
+                                                if _e1631 {
+                                                    phi_3022_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_3024_ = _e2105;
+                                                    phi_3022_ = _e1629;
                                                 }
-                                                let _e2109 = phi_3024_;
-                                                if (_e2109.member_3 != 4294967295u) {
-                                                    if (_e1260 != 4294967295u) {
-                                                        phi_3036_ = type_8(0u, 8u);
-                                                        phi_3039_ = _e2109;
+                                                let _e1633 = phi_3022_;
+                                                if (_e1633.member_3 != 4294967295u) {
+                                                    if (_e784 != 4294967295u) {
+                                                        phi_3034_ = type_8(0u, 8u);
+                                                        phi_3037_ = _e1633;
                                                         loop {
-                                                            let _e2114 = phi_3036_;
-                                                            let _e2116 = phi_3039_;
-                                                            if (_e2114.member < _e2114.member_1) {
-                                                                phi_3037_ = type_8((_e2114.member + 1u), _e2114.member_1);
-                                                                phi_3062_ = type_8(1u, _e2114.member);
+                                                            let _e1638 = phi_3034_;
+                                                            let _e1640 = phi_3037_;
+                                                            if (_e1638.member < _e1638.member_1) {
+                                                                phi_3035_ = type_8((_e1638.member + 1u), _e1638.member_1);
+                                                                phi_3060_ = type_8(1u, _e1638.member);
                                                             } else {
-                                                                phi_3037_ = _e2114;
-                                                                phi_3062_ = type_8(0u, type_8().member_1);
+                                                                phi_3035_ = _e1638;
+                                                                phi_3060_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e2129 = phi_3037_;
-                                                            let _e2131 = phi_3062_;
-                                                            let _e2135 = (bitcast<i32>(_e2131.member) != 0i);
-                                                            if _e2135 {
-                                                                let _e2136 = (_e2131.member_1 < 8u);
-                                                                if _e2136 {
+                                                            let _e1653 = phi_3035_;
+                                                            let _e1655 = phi_3060_;
+                                                            let _e1659 = (bitcast<i32>(_e1655.member) != 0i);
+                                                            if _e1659 {
+                                                                let _e1660 = (_e1655.member_1 < 8u);
+                                                                if _e1660 {
                                                                 } else {
-                                                                    phi_5000_ = true;
+                                                                    phi_4944_ = true;
                                                                     break;
                                                                 }
-                                                                let _e2141 = local_9[_e2131.member_1].member;
-                                                                if (_e2116.member < _e2141) {
-                                                                    phi_3095_ = true;
+                                                                let _e1665 = local_9[_e1655.member_1].member;
+                                                                if (_e1640.member < _e1665) {
+                                                                    phi_3093_ = true;
                                                                 } else {
-                                                                    let _e2143 = local_9[_e2131.member_1].member;
-                                                                    if (_e2116.member == _e2143) {
-                                                                        let _e2148 = local_9[_e2131.member_1].member_3;
-                                                                        phi_3094_ = (_e2116.member_3 < _e2148);
+                                                                    let _e1667 = local_9[_e1655.member_1].member;
+                                                                    if (_e1640.member == _e1667) {
+                                                                        let _e1672 = local_9[_e1655.member_1].member_3;
+                                                                        phi_3092_ = (_e1640.member_3 < _e1672);
                                                                     } else {
-                                                                        phi_3094_ = false;
+                                                                        phi_3092_ = false;
                                                                     }
-                                                                    let _e2151 = phi_3094_;
-                                                                    phi_3095_ = _e2151;
+                                                                    let _e1675 = phi_3092_;
+                                                                    phi_3093_ = _e1675;
                                                                 }
-                                                                let _e2153 = phi_3095_;
-                                                                if _e2153 {
-                                                                    if _e2136 {
+                                                                let _e1677 = phi_3093_;
+                                                                if _e1677 {
+                                                                    if _e1660 {
                                                                     } else {
-                                                                        phi_5000_ = true;
+                                                                        phi_4944_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e2154 = local_9[_e2131.member_1];
-                                                                    local_9[_e2131.member_1] = type_20(_e2116.member, _e2116.member_1, _e2116.member_2, _e2116.member_3);
-                                                                    phi_3116_ = type_20(_e2154.member, _e2154.member_1, _e2154.member_2, _e2154.member_3);
+                                                                    let _e1678 = local_9[_e1655.member_1];
+                                                                    local_9[_e1655.member_1] = type_20(_e1640.member, _e1640.member_1, _e1640.member_2, _e1640.member_3);
+                                                                    phi_3114_ = type_20(_e1678.member, _e1678.member_1, _e1678.member_2, _e1678.member_3);
                                                                 } else {
-                                                                    phi_3116_ = _e2116;
+                                                                    phi_3114_ = _e1640;
                                                                 }
-                                                                let _e2165 = phi_3116_;
-                                                                phi_3040_ = _e2165;
+                                                                let _e1689 = phi_3114_;
+                                                                phi_3038_ = _e1689;
                                                             } else {
-                                                                phi_3040_ = type_20();
+                                                                phi_3038_ = type_20();
                                                             }
-                                                            let _e2167 = phi_3040_;
+                                                            let _e1691 = phi_3038_;
                                                             continue;
                                                             continuing {
-                                                                phi_3036_ = _e2129;
-                                                                phi_3039_ = _e2167;
-                                                                phi_5000_ = _e1198;
-                                                                break if !(_e2135);
+                                                                phi_3034_ = _e1653;
+                                                                phi_3037_ = _e1691;
+                                                                phi_4944_ = _e722;
+                                                                break if !(_e1659);
                                                             }
                                                         }
-                                                        let _e2170 = phi_5000_;
-                                                        phi_5365_ = _e1200;
-                                                        phi_5207_ = _e2170;
-                                                        if _e2170 {
+                                                        let _e1694 = phi_4944_;
+                                                        phi_5214_ = _e724;
+                                                        phi_5151_ = _e1694;
+                                                        if _e1694 {
                                                             break;
                                                         }
-                                                        let _e2173 = local_9[7u].member_3;
-                                                        if (_e2173 != 4294967295u) {
-                                                            let _e2177 = local_9[7u].member;
-                                                            phi_5456_ = _e2177;
+                                                        let _e1697 = local_9[7u].member_3;
+                                                        if (_e1697 != 4294967295u) {
+                                                            let _e1701 = local_9[7u].member;
+                                                            phi_5305_ = _e1701;
                                                         } else {
-                                                            phi_5456_ = _e1200;
+                                                            phi_5305_ = _e724;
                                                         }
-                                                        let _e2179 = phi_5456_;
-                                                        phi_5455_ = _e2179;
-                                                        phi_5210_ = _e2170;
+                                                        let _e1703 = phi_5305_;
+                                                        phi_5304_ = _e1703;
+                                                        phi_5154_ = _e1694;
                                                     } else {
-                                                        phi_5455_ = _e1200;
-                                                        phi_5210_ = _e1198;
+                                                        phi_5304_ = _e724;
+                                                        phi_5154_ = _e722;
                                                     }
-                                                    let _e2181 = phi_5455_;
-                                                    let _e2183 = phi_5210_;
-                                                    phi_5454_ = _e2181;
-                                                    phi_5209_ = _e2183;
+                                                    let _e1705 = phi_5304_;
+                                                    let _e1707 = phi_5154_;
+                                                    phi_5303_ = _e1705;
+                                                    phi_5153_ = _e1707;
                                                 } else {
-                                                    phi_5454_ = _e1200;
-                                                    phi_5209_ = _e1198;
+                                                    phi_5303_ = _e724;
+                                                    phi_5153_ = _e722;
                                                 }
-                                                let _e2185 = phi_5454_;
-                                                let _e2187 = phi_5209_;
-                                                phi_5453_ = _e2185;
-                                                phi_5208_ = _e2187;
+                                                let _e1709 = phi_5303_;
+                                                let _e1711 = phi_5153_;
+                                                phi_5302_ = _e1709;
+                                                phi_5152_ = _e1711;
                                             } else {
-                                                phi_5453_ = _e1200;
-                                                phi_5208_ = _e1198;
+                                                phi_5302_ = _e724;
+                                                phi_5152_ = _e722;
                                             }
-                                            let _e2189 = phi_5453_;
-                                            let _e2191 = phi_5208_;
+                                            let _e1713 = phi_5302_;
+                                            let _e1715 = phi_5152_;
                                             continue;
                                             continuing {
-                                                phi_5029_ = _e2191;
-                                                phi_4972_ = _e2189;
-                                                phi_1362_ = _e1215;
-                                                phi_5365_ = _e2189;
-                                                phi_5207_ = _e2191;
-                                                break if !(_e1221);
+                                                phi_4973_ = _e1715;
+                                                phi_4915_ = _e1713;
+                                                phi_1360_ = _e739;
+                                                phi_5214_ = _e1713;
+                                                phi_5151_ = _e1715;
+                                                break if !(_e745);
                                             }
                                         }
-                                        let _e2194 = phi_5365_;
-                                        let _e2196 = phi_5207_;
-                                        phi_5212_ = _e2196;
-                                        if _e2196 {
+                                        let _e1718 = phi_5214_;
+                                        let _e1720 = phi_5151_;
+                                        phi_5307_ = _e1720;
+                                        if _e1720 {
                                             break;
                                         }
-                                        phi_5330_ = _e2194;
-                                        phi_5216_ = _e2196;
-                                        phi_4399_ = false;
-                                        phi_4400_ = _e708;
-                                        phi_4401_ = _e710;
+                                        phi_5398_ = _e1720;
+                                        phi_5213_ = _e1718;
+                                    } else {
+                                        phi_5398_ = _e666;
+                                        phi_5213_ = _e668;
+                                    }
+                                    let _e1722 = phi_5398_;
+                                    let _e1724 = phi_5213_;
+                                    if _e714 {
+                                        phi_4391_ = bool();
+                                        phi_4392_ = u32();
+                                        phi_4393_ = type_51();
                                     } else {
                                         if (_e710.member_1 >= _e99) {
-                                            phi_3933_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3926_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e710.member_1 < _e99) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e722 = (_e270 * 2u);
-                                            let _e724 = ((1u + _e722) % 7u);
-                                            if (_e724 < 7u) {
+                                            let _e1727 = (_e270 * 2u);
+                                            let _e1729 = ((1u + _e1727) % 7u);
+                                            if (_e1729 < 7u) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e729 = global_4.member[_e710.member_1][_e724];
-                                            let _e731 = ((_e722 + 2u) % 7u);
-                                            if (_e731 < 7u) {
+                                            let _e1734 = global_4.member[_e710.member_1][_e1729];
+                                            let _e1736 = ((_e1727 + 2u) % 7u);
+                                            if (_e1736 < 7u) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e736 = global_4.member[_e710.member_1][_e731];
-                                            let _e737 = (_e269 * 2u);
-                                            let _e739 = ((1u + _e737) % 7u);
-                                            if (_e739 < 7u) {
+                                            let _e1741 = global_4.member[_e710.member_1][_e1736];
+                                            let _e1742 = (_e269 * 2u);
+                                            let _e1744 = ((1u + _e1742) % 7u);
+                                            if (_e1744 < 7u) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e744 = global_4.member[_e710.member_1][_e739];
-                                            let _e746 = ((_e737 + 2u) % 7u);
-                                            if (_e746 < 7u) {
+                                            let _e1749 = global_4.member[_e710.member_1][_e1744];
+                                            let _e1751 = ((_e1742 + 2u) % 7u);
+                                            if (_e1751 < 7u) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e751 = global_4.member[_e710.member_1][_e746];
-                                            let _e752 = (_e271 * 2u);
-                                            let _e754 = ((1u + _e752) % 7u);
-                                            if (_e754 < 7u) {
+                                            let _e1756 = global_4.member[_e710.member_1][_e1751];
+                                            let _e1757 = (_e271 * 2u);
+                                            let _e1759 = ((1u + _e1757) % 7u);
+                                            if (_e1759 < 7u) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e759 = global_4.member[_e710.member_1][_e754];
-                                            let _e761 = ((_e752 + 2u) % 7u);
-                                            if (_e761 < 7u) {
+                                            let _e1764 = global_4.member[_e710.member_1][_e1759];
+                                            let _e1766 = ((_e1757 + 2u) % 7u);
+                                            if (_e1766 < 7u) {
                                             } else {
-                                                phi_5212_ = true;
+                                                phi_5307_ = true;
                                                 break;
                                             }
-                                            let _e766 = global_4.member[_e710.member_1][_e761];
-                                            let _e789 = (bitcast<f32>((bitcast<u32>((_e710.member.member_1.x - _e710.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e790 = (bitcast<f32>((bitcast<u32>((_e710.member.member_1.y - _e710.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e791 = (bitcast<f32>((bitcast<u32>((_e710.member.member_1.z - _e710.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e793 = select(_e150, _e789, (_e789 > _e150));
-                                            let _e795 = select(_e150, _e790, (_e790 > _e150));
-                                            let _e797 = select(_e150, _e791, (_e791 > _e150));
-                                            let _e828 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e729 & 2097151u))) - 8388608f) * _e793));
-                                            let _e833 = (bitcast<i32>((_e729 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e836 = bitcast<f32>((_e828 & bitcast<u32>(_e833)));
-                                            let _e837 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e744 & 2097151u))) - 8388608f) * _e795));
-                                            let _e842 = (bitcast<i32>((_e744 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e845 = bitcast<f32>((_e837 & bitcast<u32>(_e842)));
-                                            let _e846 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e759 & 2097151u))) - 8388608f) * _e797));
-                                            let _e851 = (bitcast<i32>((_e759 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e854 = bitcast<f32>((_e846 & bitcast<u32>(_e851)));
-                                            let _e858 = bitcast<f32>((_e828 & bitcast<u32>(~(_e833))));
-                                            let _e862 = bitcast<f32>((_e837 & bitcast<u32>(~(_e842))));
-                                            let _e866 = bitcast<f32>((_e846 & bitcast<u32>(~(_e851))));
-                                            let _e867 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e736 & 2097151u))) - 8388608f) * _e793));
-                                            let _e872 = (bitcast<i32>((_e736 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e875 = bitcast<f32>((_e867 & bitcast<u32>(_e872)));
-                                            let _e876 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e751 & 2097151u))) - 8388608f) * _e795));
-                                            let _e881 = (bitcast<i32>((_e751 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e884 = bitcast<f32>((_e876 & bitcast<u32>(_e881)));
-                                            let _e885 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e766 & 2097151u))) - 8388608f) * _e797));
-                                            let _e890 = (bitcast<i32>((_e766 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e893 = bitcast<f32>((_e885 & bitcast<u32>(_e890)));
-                                            let _e897 = bitcast<f32>((_e867 & bitcast<u32>(~(_e872))));
-                                            let _e901 = bitcast<f32>((_e876 & bitcast<u32>(~(_e881))));
-                                            let _e905 = bitcast<f32>((_e885 & bitcast<u32>(~(_e890))));
-                                            let _e906 = (_e710.member.member.x + _e836);
-                                            let _e907 = (_e710.member.member.y + _e845);
-                                            let _e908 = (_e710.member.member.z + _e854);
-                                            let _e911 = (_e710.member.member_1.x - _e875);
-                                            let _e912 = (_e710.member.member_1.y - _e884);
-                                            let _e913 = (_e710.member.member_1.z - _e893);
-                                            let _e932 = (_e911 - _e906);
-                                            let _e933 = (_e912 - _e907);
-                                            let _e934 = (_e913 - _e908);
-                                            let _e936 = select(_e933, _e932, (_e932 > _e933));
-                                            let _e938 = select(_e934, _e936, (_e936 > _e934));
-                                            if (_e938 < (1024f * _e150)) {
-                                                phi_3634_ = 0u;
+                                            let _e1771 = global_4.member[_e710.member_1][_e1766];
+                                            let _e1794 = (bitcast<f32>((bitcast<u32>((_e710.member.member_1.x - _e710.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1795 = (bitcast<f32>((bitcast<u32>((_e710.member.member_1.y - _e710.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1796 = (bitcast<f32>((bitcast<u32>((_e710.member.member_1.z - _e710.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1798 = select(_e150, _e1794, (_e1794 > _e150));
+                                            let _e1800 = select(_e150, _e1795, (_e1795 > _e150));
+                                            let _e1802 = select(_e150, _e1796, (_e1796 > _e150));
+                                            let _e1833 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1734 & 2097151u))) - 8388608f) * _e1798));
+                                            let _e1838 = (bitcast<i32>((_e1734 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1841 = bitcast<f32>((_e1833 & bitcast<u32>(_e1838)));
+                                            let _e1842 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1749 & 2097151u))) - 8388608f) * _e1800));
+                                            let _e1847 = (bitcast<i32>((_e1749 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1850 = bitcast<f32>((_e1842 & bitcast<u32>(_e1847)));
+                                            let _e1851 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1764 & 2097151u))) - 8388608f) * _e1802));
+                                            let _e1856 = (bitcast<i32>((_e1764 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1859 = bitcast<f32>((_e1851 & bitcast<u32>(_e1856)));
+                                            let _e1863 = bitcast<f32>((_e1833 & bitcast<u32>(~(_e1838))));
+                                            let _e1867 = bitcast<f32>((_e1842 & bitcast<u32>(~(_e1847))));
+                                            let _e1871 = bitcast<f32>((_e1851 & bitcast<u32>(~(_e1856))));
+                                            let _e1872 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1741 & 2097151u))) - 8388608f) * _e1798));
+                                            let _e1877 = (bitcast<i32>((_e1741 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1880 = bitcast<f32>((_e1872 & bitcast<u32>(_e1877)));
+                                            let _e1881 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1756 & 2097151u))) - 8388608f) * _e1800));
+                                            let _e1886 = (bitcast<i32>((_e1756 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1889 = bitcast<f32>((_e1881 & bitcast<u32>(_e1886)));
+                                            let _e1890 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1771 & 2097151u))) - 8388608f) * _e1802));
+                                            let _e1895 = (bitcast<i32>((_e1771 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1898 = bitcast<f32>((_e1890 & bitcast<u32>(_e1895)));
+                                            let _e1902 = bitcast<f32>((_e1872 & bitcast<u32>(~(_e1877))));
+                                            let _e1906 = bitcast<f32>((_e1881 & bitcast<u32>(~(_e1886))));
+                                            let _e1910 = bitcast<f32>((_e1890 & bitcast<u32>(~(_e1895))));
+                                            let _e1911 = (_e710.member.member.x + _e1841);
+                                            let _e1912 = (_e710.member.member.y + _e1850);
+                                            let _e1913 = (_e710.member.member.z + _e1859);
+                                            let _e1916 = (_e710.member.member_1.x - _e1880);
+                                            let _e1917 = (_e710.member.member_1.y - _e1889);
+                                            let _e1918 = (_e710.member.member_1.z - _e1898);
+                                            let _e1937 = (_e1916 - _e1911);
+                                            let _e1938 = (_e1917 - _e1912);
+                                            let _e1939 = (_e1918 - _e1913);
+                                            let _e1941 = select(_e1938, _e1937, (_e1937 > _e1938));
+                                            let _e1943 = select(_e1939, _e1941, (_e1941 > _e1939));
+                                            if (_e1943 < (1024f * _e150)) {
+                                                phi_3627_ = 0u;
                                             } else {
-                                                phi_3634_ = select(2u, 1u, (_e938 < (2097152f * _e150)));
+                                                phi_3627_ = select(2u, 1u, (_e1943 < (2097152f * _e150)));
                                             }
-                                            let _e945 = phi_3634_;
-                                            switch bitcast<i32>(_e945) {
+                                            let _e1950 = phi_3627_;
+                                            switch bitcast<i32>(_e1950) {
                                                 case 0: {
-                                                    phi_3640_ = 1u;
+                                                    phi_3633_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3640_ = 2u;
+                                                    phi_3633_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3640_ = 3u;
+                                                    phi_3633_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3640_ = u32();
+                                                    phi_3633_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e948 = phi_3640_;
-                                            let _e954 = global_4.member[_e710.member_1][0u];
-                                            let _e958 = global_4.member[_e710.member_1][2u];
-                                            let _e962 = global_4.member[_e710.member_1][4u];
-                                            let _e966 = global_4.member[_e710.member_1][6u];
-                                            let _e978 = (((_e958 >> bitcast<u32>(22i)) | ((_e962 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e966 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e979 = (_e954 & 268435455u);
-                                            let _e980 = (_e978 & 268435455u);
-                                            let _e983 = ((_e954 >> bitcast<u32>(28u)) & 7u);
-                                            let _e991 = ((_e954 >> bitcast<u32>(31i)) | (((_e978 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e992 = (_e983 != 0u);
-                                            if (_e983 == 0u) {
-                                                phi_3895_ = _e979;
+                                            let _e1953 = phi_3633_;
+                                            let _e1959 = global_4.member[_e710.member_1][0u];
+                                            let _e1963 = global_4.member[_e710.member_1][2u];
+                                            let _e1967 = global_4.member[_e710.member_1][4u];
+                                            let _e1971 = global_4.member[_e710.member_1][6u];
+                                            let _e1983 = (((_e1963 >> bitcast<u32>(22i)) | ((_e1967 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1971 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1984 = (_e1959 & 268435455u);
+                                            let _e1985 = (_e1983 & 268435455u);
+                                            let _e1988 = ((_e1959 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1996 = ((_e1959 >> bitcast<u32>(31i)) | (((_e1983 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1997 = (_e1988 != 0u);
+                                            if (_e1988 == 0u) {
+                                                phi_3888_ = _e1984;
                                             } else {
-                                                if (_e983 == 7u) {
-                                                    phi_3894_ = 2147483648u;
+                                                if (_e1988 == 7u) {
+                                                    phi_3887_ = 2147483648u;
                                                 } else {
-                                                    phi_3894_ = ((2147483648u | (_e983 << bitcast<u32>(28u))) | (_e980 & 268435455u));
+                                                    phi_3887_ = ((2147483648u | (_e1988 << bitcast<u32>(28u))) | (_e1985 & 268435455u));
                                                 }
-                                                let _e1001 = phi_3894_;
-                                                phi_3895_ = _e1001;
+                                                let _e2006 = phi_3887_;
+                                                phi_3888_ = _e2006;
                                             }
-                                            let _e1003 = phi_3895_;
-                                            if _e992 {
-                                                let _e1004 = (_e983 != 7u);
-                                                if _e1004 {
-                                                    phi_3905_ = (_e980 + (_e983 * ((3u * _e948) + 1u)));
+                                            let _e2008 = phi_3888_;
+                                            if _e1997 {
+                                                let _e2009 = (_e1988 != 7u);
+                                                if _e2009 {
+                                                    phi_3898_ = (_e1985 + (_e1988 * ((3u * _e1953) + 1u)));
                                                 } else {
-                                                    phi_3905_ = u32();
+                                                    phi_3898_ = u32();
                                                 }
-                                                let _e1008 = phi_3905_;
-                                                phi_3907_ = _e1008;
-                                                phi_3908_ = select(true, false, _e1004);
+                                                let _e2013 = phi_3898_;
+                                                phi_3900_ = _e2013;
+                                                phi_3901_ = select(true, false, _e2009);
                                             } else {
-                                                phi_3907_ = u32();
-                                                phi_3908_ = true;
+                                                phi_3900_ = u32();
+                                                phi_3901_ = true;
                                             }
-                                            let _e1011 = phi_3907_;
-                                            let _e1013 = phi_3908_;
-                                            if (_e991 == 0u) {
-                                                phi_3929_ = (_e979 + select(0u, 1u, !(_e992)));
+                                            let _e2016 = phi_3900_;
+                                            let _e2018 = phi_3901_;
+                                            if (_e1996 == 0u) {
+                                                phi_3922_ = (_e1984 + select(0u, 1u, !(_e1997)));
                                             } else {
-                                                if (_e991 == 7u) {
-                                                    phi_3928_ = 2147483648u;
+                                                if (_e1996 == 7u) {
+                                                    phi_3921_ = 2147483648u;
                                                 } else {
-                                                    phi_3928_ = ((2147483648u | (_e991 << bitcast<u32>(28u))) | (select(_e1011, _e980, _e1013) & 268435455u));
+                                                    phi_3921_ = ((2147483648u | (_e1996 << bitcast<u32>(28u))) | (select(_e2016, _e1985, _e2018) & 268435455u));
                                                 }
-                                                let _e1026 = phi_3928_;
-                                                phi_3929_ = _e1026;
+                                                let _e2031 = phi_3921_;
+                                                phi_3922_ = _e2031;
                                             }
-                                            let _e1028 = phi_3929_;
-                                            phi_3933_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e906, (_e710.member.member.x + _e858), _e911, (_e710.member.member_1.x - _e897)), vec4<f32>(_e907, (_e710.member.member.y + _e862), _e912, (_e710.member.member_1.y - _e901)), vec4<f32>(_e908, (_e710.member.member.z + _e866), _e913, (_e710.member.member_1.z - _e905))), type_51(type_24((_e710.member.member + vec4<f32>(_e836, _e845, _e854, 0f)), (_e710.member.member_1 - vec4<f32>(_e875, _e884, _e893, 0f))), _e1003), type_51(type_24((_e710.member.member + vec4<f32>(_e858, _e862, _e866, 0f)), (_e710.member.member_1 - vec4<f32>(_e897, _e901, _e905, 0f))), _e1028));
+                                            let _e2033 = phi_3922_;
+                                            phi_3926_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e1911, (_e710.member.member.x + _e1863), _e1916, (_e710.member.member_1.x - _e1902)), vec4<f32>(_e1912, (_e710.member.member.y + _e1867), _e1917, (_e710.member.member_1.y - _e1906)), vec4<f32>(_e1913, (_e710.member.member.z + _e1871), _e1918, (_e710.member.member_1.z - _e1910))), type_51(type_24((_e710.member.member + vec4<f32>(_e1841, _e1850, _e1859, 0f)), (_e710.member.member_1 - vec4<f32>(_e1880, _e1889, _e1898, 0f))), _e2008), type_51(type_24((_e710.member.member + vec4<f32>(_e1863, _e1867, _e1871, 0f)), (_e710.member.member_1 - vec4<f32>(_e1902, _e1906, _e1910, 0f))), _e2033));
                                         }
-                                        let _e1033 = phi_3933_;
-                                        let _e1044 = ((_e1033.member[0].x - _e372) * _e377);
-                                        let _e1045 = ((_e1033.member[0].y - _e372) * _e377);
-                                        let _e1046 = ((_e1033.member[0].z - _e373) * _e377);
-                                        let _e1047 = ((_e1033.member[0].w - _e373) * _e377);
-                                        let _e1057 = ((_e1033.member[1].x - _e440) * _e445);
-                                        let _e1058 = ((_e1033.member[1].y - _e440) * _e445);
-                                        let _e1059 = ((_e1033.member[1].z - _e441) * _e445);
-                                        let _e1060 = ((_e1033.member[1].w - _e441) * _e445);
-                                        let _e1070 = ((_e1033.member[2].x - _e508) * _e513);
-                                        let _e1071 = ((_e1033.member[2].y - _e508) * _e513);
-                                        let _e1072 = ((_e1033.member[2].z - _e509) * _e513);
-                                        let _e1073 = ((_e1033.member[2].w - _e509) * _e513);
-                                        let _e1075 = select(_e1072, _e1070, (_e1070 < _e1072));
-                                        let _e1077 = select(_e1073, _e1071, (_e1071 < _e1073));
-                                        let _e1079 = select(_e1072, _e1070, (_e1070 > _e1072));
-                                        let _e1081 = select(_e1073, _e1071, (_e1071 > _e1073));
-                                        let _e1083 = select(_e1046, _e1044, (_e1044 < _e1046));
-                                        let _e1085 = select(_e1047, _e1045, (_e1045 < _e1047));
-                                        let _e1087 = select(_e1059, _e1057, (_e1057 < _e1059));
-                                        let _e1089 = select(_e1060, _e1058, (_e1058 < _e1060));
-                                        let _e1091 = select(_e1087, _e1083, (_e1083 > _e1087));
-                                        let _e1093 = select(_e1089, _e1085, (_e1085 > _e1089));
-                                        let _e1095 = select(_e1075, _e1091, (_e1091 > _e1075));
-                                        let _e1097 = select(_e1077, _e1093, (_e1093 > _e1077));
-                                        let _e1099 = select(_e1046, _e1044, (_e1044 > _e1046));
-                                        let _e1101 = select(_e1047, _e1045, (_e1045 > _e1047));
-                                        let _e1103 = select(_e1059, _e1057, (_e1057 > _e1059));
-                                        let _e1105 = select(_e1060, _e1058, (_e1058 > _e1060));
-                                        let _e1107 = select(_e1103, _e1099, (_e1099 < _e1103));
-                                        let _e1109 = select(_e1105, _e1101, (_e1101 < _e1105));
-                                        let _e1114 = -(_e1075);
-                                        let _e1115 = -(_e1077);
-                                        let _e1122 = (select(_e1079, _e1107, (_e1107 < _e1079)) + (select(_e1114, _e1079, (_e1079 > _e1114)) * 0.0000019073523f));
-                                        let _e1123 = (select(_e1081, _e1109, (_e1109 < _e1081)) + (select(_e1115, _e1081, (_e1081 > _e1115)) * 0.0000019073523f));
-                                        let _e1125 = select(_e625, _e1095, (_e1095 > _e625));
-                                        let _e1127 = select(_e625, _e1097, (_e1097 > _e625));
-                                        let _e1132 = (_e1125 <= select(_e668, _e1122, (_e1122 < _e668)));
-                                        let _e1133 = (_e1127 <= select(_e668, _e1123, (_e1123 < _e668)));
-                                        let _e1134 = (_e1125 <= _e1127);
-                                        if _e1132 {
-                                            if _e1133 {
-                                                if _e1134 {
-                                                    phi_4296_ = _e1033.member_2;
+                                        let _e2038 = phi_3926_;
+                                        let _e2049 = ((_e2038.member[0].x - _e372) * _e377);
+                                        let _e2050 = ((_e2038.member[0].y - _e372) * _e377);
+                                        let _e2051 = ((_e2038.member[0].z - _e373) * _e377);
+                                        let _e2052 = ((_e2038.member[0].w - _e373) * _e377);
+                                        let _e2062 = ((_e2038.member[1].x - _e440) * _e445);
+                                        let _e2063 = ((_e2038.member[1].y - _e440) * _e445);
+                                        let _e2064 = ((_e2038.member[1].z - _e441) * _e445);
+                                        let _e2065 = ((_e2038.member[1].w - _e441) * _e445);
+                                        let _e2075 = ((_e2038.member[2].x - _e508) * _e513);
+                                        let _e2076 = ((_e2038.member[2].y - _e508) * _e513);
+                                        let _e2077 = ((_e2038.member[2].z - _e509) * _e513);
+                                        let _e2078 = ((_e2038.member[2].w - _e509) * _e513);
+                                        let _e2080 = select(_e2077, _e2075, (_e2075 < _e2077));
+                                        let _e2082 = select(_e2078, _e2076, (_e2076 < _e2078));
+                                        let _e2084 = select(_e2077, _e2075, (_e2075 > _e2077));
+                                        let _e2086 = select(_e2078, _e2076, (_e2076 > _e2078));
+                                        let _e2088 = select(_e2051, _e2049, (_e2049 < _e2051));
+                                        let _e2090 = select(_e2052, _e2050, (_e2050 < _e2052));
+                                        let _e2092 = select(_e2064, _e2062, (_e2062 < _e2064));
+                                        let _e2094 = select(_e2065, _e2063, (_e2063 < _e2065));
+                                        let _e2096 = select(_e2092, _e2088, (_e2088 > _e2092));
+                                        let _e2098 = select(_e2094, _e2090, (_e2090 > _e2094));
+                                        let _e2100 = select(_e2080, _e2096, (_e2096 > _e2080));
+                                        let _e2102 = select(_e2082, _e2098, (_e2098 > _e2082));
+                                        let _e2104 = select(_e2051, _e2049, (_e2049 > _e2051));
+                                        let _e2106 = select(_e2052, _e2050, (_e2050 > _e2052));
+                                        let _e2108 = select(_e2064, _e2062, (_e2062 > _e2064));
+                                        let _e2110 = select(_e2065, _e2063, (_e2063 > _e2065));
+                                        let _e2112 = select(_e2108, _e2104, (_e2104 < _e2108));
+                                        let _e2114 = select(_e2110, _e2106, (_e2106 < _e2110));
+                                        let _e2119 = -(_e2080);
+                                        let _e2120 = -(_e2082);
+                                        let _e2127 = (select(_e2084, _e2112, (_e2112 < _e2084)) + (select(_e2119, _e2084, (_e2084 > _e2119)) * 0.0000019073523f));
+                                        let _e2128 = (select(_e2086, _e2114, (_e2114 < _e2086)) + (select(_e2120, _e2086, (_e2086 > _e2120)) * 0.0000019073523f));
+                                        let _e2130 = select(_e625, _e2100, (_e2100 > _e625));
+                                        let _e2132 = select(_e625, _e2102, (_e2102 > _e625));
+                                        let _e2137 = (_e2130 <= select(_e1724, _e2127, (_e2127 < _e1724)));
+                                        let _e2138 = (_e2132 <= select(_e1724, _e2128, (_e2128 < _e1724)));
+                                        let _e2139 = (_e2130 <= _e2132);
+                                        if _e2137 {
+                                            if _e2138 {
+                                                if _e2139 {
+                                                    phi_4289_ = _e2038.member_2;
                                                 } else {
-                                                    phi_4296_ = _e1033.member_1;
+                                                    phi_4289_ = _e2038.member_1;
                                                 }
-                                                let _e1138 = phi_4296_;
-                                                let _e1160 = (_e708 % 128u);
-                                                let _e1161 = (_e1160 < 128u);
-                                                if _e1161 {
+                                                let _e2143 = phi_4289_;
+                                                let _e2164 = (_e708 % 128u);
+                                                let _e2165 = (_e2164 < 128u);
+                                                if _e2165 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1160] = _e1138.member_1;
-                                                if _e1161 {
+                                                local_8[_e2164] = _e2143.member_1;
+                                                if _e2165 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1160] = _e1138.member.member.x;
-                                                if _e1161 {
+                                                local_7[_e2164] = _e2143.member.member.x;
+                                                if _e2165 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1160] = _e1138.member.member.y;
-                                                if _e1161 {
+                                                local_6[_e2164] = _e2143.member.member.y;
+                                                if _e2165 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1160] = _e1138.member.member.z;
-                                                if _e1161 {
+                                                local_5[_e2164] = _e2143.member.member.z;
+                                                if _e2165 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1160] = _e1138.member.member_1.x;
-                                                if _e1161 {
+                                                local_4[_e2164] = _e2143.member.member_1.x;
+                                                if _e2165 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1160] = _e1138.member.member_1.y;
-                                                if _e1161 {
+                                                local_3[_e2164] = _e2143.member.member_1.y;
+                                                if _e2165 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1160] = _e1138.member.member_1.z;
-                                                if _e1161 {
+                                                local_2[_e2164] = _e2143.member.member_1.z;
+                                                if _e2165 {
                                                 } else {
-                                                    phi_5212_ = true;
+                                                    phi_5307_ = true;
                                                     break;
                                                 }
-                                                local_10[_e1160] = select(_e1127, _e1125, !(_e1134));
-                                                if _e1134 {
-                                                    phi_4373_ = _e1033.member_1;
+                                                local_10[_e2164] = select(_e2130, _e2132, _e2139);
+                                                if _e2139 {
+                                                    phi_4365_ = _e2038.member_1;
                                                 } else {
-                                                    phi_4373_ = _e1033.member_2;
+                                                    phi_4365_ = _e2038.member_2;
                                                 }
-                                                let _e1174 = phi_4373_;
-                                                phi_4374_ = (_e708 + 1u);
-                                                phi_4375_ = _e1174;
+                                                let _e2178 = phi_4365_;
+                                                phi_4366_ = (_e708 + 1u);
+                                                phi_4367_ = _e2178;
                                             } else {
-                                                phi_4374_ = u32();
-                                                phi_4375_ = type_51();
+                                                phi_4366_ = u32();
+                                                phi_4367_ = type_51();
                                             }
-                                            let _e1176 = phi_4374_;
-                                            let _e1178 = phi_4375_;
-                                            phi_4377_ = _e1176;
-                                            phi_4378_ = _e1178;
-                                            phi_4379_ = select(true, false, _e1133);
+                                            let _e2180 = phi_4366_;
+                                            let _e2182 = phi_4367_;
+                                            phi_4369_ = _e2180;
+                                            phi_4370_ = _e2182;
+                                            phi_4371_ = select(true, false, _e2138);
                                         } else {
-                                            phi_4377_ = u32();
-                                            phi_4378_ = type_51();
-                                            phi_4379_ = true;
+                                            phi_4369_ = u32();
+                                            phi_4370_ = type_51();
+                                            phi_4371_ = true;
                                         }
-                                        let _e1181 = phi_4377_;
-                                        let _e1183 = phi_4378_;
-                                        let _e1185 = phi_4379_;
-                                        if _e1185 {
-                                            if _e1132 {
-                                                phi_4388_ = _e1033.member_1;
+                                        let _e2185 = phi_4369_;
+                                        let _e2187 = phi_4370_;
+                                        let _e2189 = phi_4371_;
+                                        if _e2189 {
+                                            if _e2137 {
+                                                phi_4380_ = _e2038.member_1;
                                             } else {
-                                                phi_4388_ = _e1033.member_2;
+                                                phi_4380_ = _e2038.member_2;
                                             }
-                                            let _e1189 = phi_4388_;
-                                            phi_4393_ = select(_e1133, true, _e1132);
-                                            phi_4395_ = _e1189;
+                                            let _e2193 = phi_4380_;
+                                            phi_4385_ = select(_e2138, true, _e2137);
+                                            phi_4387_ = _e2193;
                                         } else {
-                                            phi_4393_ = _e706;
-                                            phi_4395_ = _e1183;
+                                            phi_4385_ = _e706;
+                                            phi_4387_ = _e2187;
                                         }
-                                        let _e1192 = phi_4393_;
-                                        let _e1194 = phi_4395_;
-                                        phi_5330_ = _e668;
-                                        phi_5216_ = _e666;
-                                        phi_4399_ = _e1192;
-                                        phi_4400_ = select(_e1181, _e708, _e1185);
-                                        phi_4401_ = _e1194;
+                                        let _e2196 = phi_4385_;
+                                        let _e2198 = phi_4387_;
+                                        phi_4391_ = _e2196;
+                                        phi_4392_ = select(_e2185, _e708, _e2189);
+                                        phi_4393_ = _e2198;
                                     }
-                                    let _e2198 = phi_5330_;
-                                    let _e2200 = phi_5216_;
-                                    let _e2202 = phi_4399_;
-                                    let _e2204 = phi_4400_;
-                                    let _e2206 = phi_4401_;
-                                    phi_5329_ = _e2198;
-                                    phi_5215_ = _e2200;
-                                    phi_4402_ = _e2202;
-                                    phi_4403_ = (_e672 - 1u);
-                                    phi_4404_ = _e2204;
-                                    phi_4405_ = _e2206;
+                                    let _e2201 = phi_4391_;
+                                    let _e2203 = phi_4392_;
+                                    let _e2205 = phi_4393_;
+                                    if _e714 {
+                                        phi_4403_ = _e710;
+                                    } else {
+                                        phi_4403_ = _e2205;
+                                    }
+                                    let _e2207 = phi_4403_;
+                                    phi_5426_ = _e1724;
+                                    phi_5310_ = _e1722;
+                                    phi_4404_ = (_e670 - 1u);
+                                    phi_4405_ = select(_e2201, false, _e714);
+                                    phi_4406_ = select(_e2203, _e708, _e714);
+                                    phi_4407_ = _e2207;
                                 } else {
-                                    phi_5329_ = _e668;
-                                    phi_5215_ = _e666;
-                                    phi_4402_ = _e706;
-                                    phi_4403_ = _e672;
-                                    phi_4404_ = _e708;
-                                    phi_4405_ = _e710;
+                                    phi_5426_ = _e668;
+                                    phi_5310_ = _e666;
+                                    phi_4404_ = _e670;
+                                    phi_4405_ = _e706;
+                                    phi_4406_ = _e708;
+                                    phi_4407_ = _e710;
                                 }
-                                let _e2208 = phi_5329_;
-                                let _e2210 = phi_5215_;
-                                let _e2212 = phi_4402_;
-                                let _e2214 = phi_4403_;
-                                let _e2216 = phi_4404_;
-                                let _e2218 = phi_4405_;
-                                phi_5328_ = _e2208;
-                                phi_5214_ = _e2210;
-                                phi_4406_ = _e2212;
-                                phi_4407_ = _e2214;
-                                phi_4408_ = _e2216;
-                                phi_4409_ = _e2218;
+                                let _e2211 = phi_5426_;
+                                let _e2213 = phi_5310_;
+                                let _e2215 = phi_4404_;
+                                let _e2217 = phi_4405_;
+                                let _e2219 = phi_4406_;
+                                let _e2221 = phi_4407_;
+                                phi_5425_ = _e2211;
+                                phi_5309_ = _e2213;
+                                phi_4408_ = _e2215;
+                                phi_4409_ = _e2217;
+                                phi_4410_ = _e2219;
+                                phi_4411_ = _e2221;
                             } else {
-                                phi_5328_ = _e668;
-                                phi_5214_ = _e666;
-                                phi_4406_ = bool();
-                                phi_4407_ = u32();
+                                phi_5425_ = _e668;
+                                phi_5309_ = _e666;
                                 phi_4408_ = u32();
-                                phi_4409_ = type_51();
+                                phi_4409_ = bool();
+                                phi_4410_ = u32();
+                                phi_4411_ = type_51();
                             }
-                            let _e2220 = phi_5328_;
-                            let _e2222 = phi_5214_;
-                            let _e2224 = phi_4406_;
-                            let _e2226 = phi_4407_;
-                            let _e2228 = phi_4408_;
-                            let _e2230 = phi_4409_;
-                            phi_5327_ = _e2220;
-                            phi_5213_ = _e2222;
-                            phi_1237_ = _e2224;
-                            phi_1240_ = _e2226;
-                            phi_1242_ = _e2228;
-                            phi_1244_ = _e2230;
-                            phi_4410_ = _e680;
+                            let _e2223 = phi_5425_;
+                            let _e2225 = phi_5309_;
+                            let _e2227 = phi_4408_;
+                            let _e2229 = phi_4409_;
+                            let _e2231 = phi_4410_;
+                            let _e2233 = phi_4411_;
+                            phi_5424_ = _e2223;
+                            phi_5308_ = _e2225;
+                            phi_1235_ = _e2227;
+                            phi_1238_ = _e2229;
+                            phi_1240_ = _e2231;
+                            phi_1242_ = _e2233;
+                            phi_4412_ = _e680;
                         } else {
-                            phi_5327_ = _e668;
-                            phi_5213_ = _e666;
-                            phi_1237_ = bool();
+                            phi_5424_ = _e668;
+                            phi_5308_ = _e666;
+                            phi_1235_ = u32();
+                            phi_1238_ = bool();
                             phi_1240_ = u32();
-                            phi_1242_ = u32();
-                            phi_1244_ = type_51();
-                            phi_4410_ = false;
+                            phi_1242_ = type_51();
+                            phi_4412_ = false;
                         }
-                        let _e2232 = phi_5327_;
-                        let _e2234 = phi_5213_;
-                        let _e2236 = phi_1237_;
-                        let _e2238 = phi_1240_;
-                        let _e2240 = phi_1242_;
-                        let _e2242 = phi_1244_;
-                        let _e2244 = phi_4410_;
+                        let _e2235 = phi_5424_;
+                        let _e2237 = phi_5308_;
+                        let _e2239 = phi_1235_;
+                        let _e2241 = phi_1238_;
+                        let _e2243 = phi_1240_;
+                        let _e2245 = phi_1242_;
+                        let _e2247 = phi_4412_;
                         continue;
                         continuing {
-                            phi_5032_ = _e2234;
-                            phi_4889_ = _e2232;
-                            phi_1236_ = _e2236;
-                            phi_1239_ = _e2238;
-                            phi_1241_ = _e2240;
-                            phi_1243_ = _e2242;
-                            phi_5212_ = _e2234;
-                            break if !(_e2244);
+                            phi_4976_ = _e2237;
+                            phi_4890_ = _e2235;
+                            phi_1234_ = _e2239;
+                            phi_1237_ = _e2241;
+                            phi_1239_ = _e2243;
+                            phi_1241_ = _e2245;
+                            phi_5307_ = _e2237;
+                            break if !(_e2247);
                         }
                     }
-                    let _e2247 = phi_5212_;
-                    if _e2247 {
+                    let _e2250 = phi_5307_;
+                    if _e2250 {
                         break;
                     }
-                    phi_4417_ = type_8(0u, 8u);
+                    phi_4419_ = type_8(0u, 8u);
                     loop {
-                        let _e2249 = phi_4417_;
-                        if (_e2249.member < _e2249.member_1) {
-                            phi_4418_ = type_8((_e2249.member + 1u), _e2249.member_1);
-                            phi_4441_ = type_8(1u, _e2249.member);
+                        let _e2252 = phi_4419_;
+                        if (_e2252.member < _e2252.member_1) {
+                            phi_4420_ = type_8((_e2252.member + 1u), _e2252.member_1);
+                            phi_4443_ = type_8(1u, _e2252.member);
                         } else {
-                            phi_4418_ = _e2249;
-                            phi_4441_ = type_8(0u, type_8().member_1);
+                            phi_4420_ = _e2252;
+                            phi_4443_ = type_8(0u, type_8().member_1);
                         }
-                        let _e2262 = phi_4418_;
-                        let _e2264 = phi_4441_;
-                        let _e2268 = (bitcast<i32>(_e2264.member) != 0i);
-                        if _e2268 {
-                            let _e2269 = (_e2264.member_1 < 8u);
-                            if _e2269 {
+                        let _e2265 = phi_4420_;
+                        let _e2267 = phi_4443_;
+                        let _e2271 = (bitcast<i32>(_e2267.member) != 0i);
+                        if _e2271 {
+                            let _e2272 = (_e2267.member_1 < 8u);
+                            if _e2272 {
                             } else {
-                                phi_5309_ = true;
+                                phi_5406_ = true;
                                 break;
                             }
-                            let _e2271 = local_9[_e2264.member_1];
-                            if (_e2271.member_3 != 4294967295u) {
-                                let _e2277 = -(_e527);
-                                let _e2278 = bitcast<u32>(_e2271.member);
-                                let _e2282 = (bitcast<i32>((_e2278 >> bitcast<u32>(23i))) & 255i);
-                                let _e2283 = (_e2282 + _e2277);
-                                if (_e2282 == 255i) {
-                                    phi_4514_ = _e2271.member;
+                            let _e2274 = local_9[_e2267.member_1];
+                            if (_e2274.member_3 != 4294967295u) {
+                                let _e2280 = -(_e527);
+                                let _e2281 = bitcast<u32>(_e2274.member);
+                                let _e2285 = (bitcast<i32>((_e2281 >> bitcast<u32>(23i))) & 255i);
+                                let _e2286 = (_e2285 + _e2280);
+                                if (_e2285 == 255i) {
+                                    phi_4516_ = _e2274.member;
                                 } else {
-                                    if (_e2282 > 0i) {
-                                        if (_e2283 > 0i) {
-                                            let _e2287 = (_e2283 < 255i);
-                                            if _e2287 {
-                                                phi_4493_ = bitcast<f32>((_e2278 + bitcast<u32>((_e2277 << bitcast<u32>(23i)))));
+                                    if (_e2285 > 0i) {
+                                        if (_e2286 > 0i) {
+                                            let _e2290 = (_e2286 < 255i);
+                                            if _e2290 {
+                                                phi_4495_ = bitcast<f32>((_e2281 + bitcast<u32>((_e2280 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_4493_ = f32();
+                                                phi_4495_ = f32();
                                             }
-                                            let _e2294 = phi_4493_;
-                                            phi_4495_ = _e2294;
-                                            phi_4496_ = select(true, false, _e2287);
+                                            let _e2297 = phi_4495_;
+                                            phi_4497_ = _e2297;
+                                            phi_4498_ = select(true, false, _e2290);
                                         } else {
-                                            phi_4495_ = f32();
-                                            phi_4496_ = true;
+                                            phi_4497_ = f32();
+                                            phi_4498_ = true;
                                         }
-                                        let _e2297 = phi_4495_;
-                                        let _e2299 = phi_4496_;
-                                        phi_4497_ = _e2297;
-                                        phi_4498_ = _e2299;
+                                        let _e2300 = phi_4497_;
+                                        let _e2302 = phi_4498_;
+                                        phi_4499_ = _e2300;
+                                        phi_4500_ = _e2302;
                                     } else {
-                                        phi_4497_ = f32();
-                                        phi_4498_ = true;
+                                        phi_4499_ = f32();
+                                        phi_4500_ = true;
                                     }
-                                    let _e2301 = phi_4497_;
-                                    let _e2303 = phi_4498_;
-                                    if _e2303 {
-                                        let _e2304 = (_e2278 & 2147483648u);
-                                        let _e2311 = ((_e2278 & 8388607u) | (select(0u, 1u, ((_e2278 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e2315 = (_e2311 == 0u);
-                                        if _e2315 {
-                                            phi_4835_ = bitcast<f32>(_e2304);
+                                    let _e2304 = phi_4499_;
+                                    let _e2306 = phi_4500_;
+                                    if _e2306 {
+                                        let _e2307 = (_e2281 & 2147483648u);
+                                        let _e2314 = ((_e2281 & 8388607u) | (select(0u, 1u, ((_e2281 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e2318 = (_e2314 == 0u);
+                                        if _e2318 {
+                                            phi_4837_ = bitcast<f32>(_e2307);
                                         } else {
-                                            let _e2320 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2311)), 32u, _e2315) - 8u);
-                                            let _e2323 = (_e2311 << bitcast<u32>((_e2320 & 31u)));
-                                            let _e2325 = ((_e2283 + select(0i, 1i, (_e2282 == 0i))) - bitcast<i32>(_e2320));
-                                            if (_e2325 >= 255i) {
-                                                phi_4825_ = bitcast<f32>((_e2304 | 2139095040u));
-                                                phi_4826_ = f32();
-                                                phi_4827_ = true;
+                                            let _e2323 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2314)), 32u, _e2318) - 8u);
+                                            let _e2326 = (_e2314 << bitcast<u32>((_e2323 & 31u)));
+                                            let _e2328 = ((_e2286 + select(0i, 1i, (_e2285 == 0i))) - bitcast<i32>(_e2323));
+                                            if (_e2328 >= 255i) {
+                                                phi_4827_ = bitcast<f32>((_e2307 | 2139095040u));
+                                                phi_4828_ = f32();
+                                                phi_4829_ = true;
                                             } else {
-                                                let _e2327 = (_e2325 > 0i);
-                                                if _e2327 {
-                                                    phi_4819_ = bitcast<f32>(((_e2304 | (bitcast<u32>(_e2325) << bitcast<u32>(23i))) | (_e2323 & 8388607u)));
-                                                    phi_4820_ = f32();
+                                                let _e2330 = (_e2328 > 0i);
+                                                if _e2330 {
+                                                    phi_4821_ = bitcast<f32>(((_e2307 | (bitcast<u32>(_e2328) << bitcast<u32>(23i))) | (_e2326 & 8388607u)));
+                                                    phi_4822_ = f32();
                                                 } else {
-                                                    if (_e2325 < -24i) {
-                                                        phi_4785_ = 26u;
+                                                    if (_e2328 < -24i) {
+                                                        phi_4787_ = 26u;
                                                     } else {
-                                                        phi_4785_ = bitcast<u32>((1i - _e2325));
+                                                        phi_4787_ = bitcast<u32>((1i - _e2328));
                                                     }
-                                                    let _e2332 = phi_4785_;
-                                                    let _e2333 = (_e2332 & 31u);
-                                                    let _e2335 = (_e2323 >> bitcast<u32>(_e2333));
-                                                    let _e2339 = (_e2323 & ((1u << bitcast<u32>(_e2333)) - 1u));
-                                                    let _e2343 = (1u << bitcast<u32>(((_e2332 - 1u) & 31u)));
-                                                    if (_e2339 > _e2343) {
-                                                        phi_4806_ = true;
+                                                    let _e2335 = phi_4787_;
+                                                    let _e2336 = (_e2335 & 31u);
+                                                    let _e2338 = (_e2326 >> bitcast<u32>(_e2336));
+                                                    let _e2342 = (_e2326 & ((1u << bitcast<u32>(_e2336)) - 1u));
+                                                    let _e2346 = (1u << bitcast<u32>(((_e2335 - 1u) & 31u)));
+                                                    if (_e2342 > _e2346) {
+                                                        phi_4808_ = true;
                                                     } else {
-                                                        if (_e2339 == _e2343) {
-                                                            phi_4803_ = ((_e2335 & 1u) == 1u);
+                                                        if (_e2342 == _e2346) {
+                                                            phi_4805_ = ((_e2338 & 1u) == 1u);
                                                         } else {
-                                                            phi_4803_ = false;
+                                                            phi_4805_ = false;
                                                         }
-                                                        let _e2349 = phi_4803_;
-                                                        phi_4806_ = _e2349;
+                                                        let _e2352 = phi_4805_;
+                                                        phi_4808_ = _e2352;
                                                     }
-                                                    let _e2351 = phi_4806_;
-                                                    phi_4819_ = f32();
-                                                    phi_4820_ = bitcast<f32>((_e2304 | (_e2335 + select(0u, 1u, _e2351))));
+                                                    let _e2354 = phi_4808_;
+                                                    phi_4821_ = f32();
+                                                    phi_4822_ = bitcast<f32>((_e2307 | (_e2338 + select(0u, 1u, _e2354))));
                                                 }
-                                                let _e2364 = phi_4819_;
-                                                let _e2366 = phi_4820_;
-                                                phi_4825_ = _e2364;
-                                                phi_4826_ = _e2366;
-                                                phi_4827_ = _e2327;
+                                                let _e2367 = phi_4821_;
+                                                let _e2369 = phi_4822_;
+                                                phi_4827_ = _e2367;
+                                                phi_4828_ = _e2369;
+                                                phi_4829_ = _e2330;
                                             }
-                                            let _e2370 = phi_4825_;
-                                            let _e2372 = phi_4826_;
-                                            let _e2374 = phi_4827_;
-                                            phi_4835_ = select(_e2372, _e2370, _e2374);
+                                            let _e2373 = phi_4827_;
+                                            let _e2375 = phi_4828_;
+                                            let _e2377 = phi_4829_;
+                                            phi_4837_ = select(_e2375, _e2373, _e2377);
                                         }
-                                        let _e2378 = phi_4835_;
-                                        phi_4513_ = _e2378;
+                                        let _e2381 = phi_4837_;
+                                        phi_4515_ = _e2381;
                                     } else {
-                                        phi_4513_ = _e2301;
+                                        phi_4515_ = _e2304;
                                     }
-                                    let _e2380 = phi_4513_;
-                                    phi_4514_ = _e2380;
+                                    let _e2383 = phi_4515_;
+                                    phi_4516_ = _e2383;
                                 }
-                                let _e2382 = phi_4514_;
-                                let _e2383 = bitcast<u32>(_e2382);
-                                if ((_e2383 & 2147483647u) >= 2139095040u) {
-                                    phi_4526_ = bitcast<f32>(((_e2383 & 2147483648u) | 2139095039u));
+                                let _e2385 = phi_4516_;
+                                let _e2386 = bitcast<u32>(_e2385);
+                                if ((_e2386 & 2147483647u) >= 2139095040u) {
+                                    phi_4528_ = bitcast<f32>(((_e2386 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_4526_ = _e2382;
+                                    phi_4528_ = _e2385;
                                 }
-                                let _e2390 = phi_4526_;
-                                phi_4531_ = type_20(_e2390, _e2271.member_1, _e2271.member_2, _e2271.member_3);
+                                let _e2393 = phi_4528_;
+                                phi_4533_ = type_20(_e2393, _e2274.member_1, _e2274.member_2, _e2274.member_3);
                             } else {
-                                phi_4531_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_4533_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e2393 = phi_4531_;
-                            if _e2269 {
+                            let _e2396 = phi_4533_;
+                            if _e2272 {
                             } else {
-                                phi_5309_ = true;
+                                phi_5406_ = true;
                                 break;
                             }
-                            local_9[_e2264.member_1] = type_20(_e2393.member, _e2393.member_1, _e2393.member_2, _e2393.member_3);
+                            local_9[_e2267.member_1] = type_20(_e2396.member, _e2396.member_1, _e2396.member_2, _e2396.member_3);
                         }
                         continue;
                         continuing {
-                            phi_4417_ = _e2262;
-                            phi_5309_ = _e2247;
-                            break if !(_e2268);
+                            phi_4419_ = _e2265;
+                            phi_5406_ = _e2250;
+                            break if !(_e2271);
                         }
                     }
-                    let _e2401 = phi_5309_;
-                    if _e2401 {
+                    let _e2404 = phi_5406_;
+                    if _e2404 {
                         break;
                     }
-                    let _e2402 = local_9;
+                    let _e2405 = local_9;
                     if _e158 {
                     } else {
                         break;
                     }
-                    global_6.member[_e156] = array<type_20, 8>(type_20(_e2402[0].member, _e2402[0].member_1, _e2402[0].member_2, _e2402[0].member_3), type_20(_e2402[1].member, _e2402[1].member_1, _e2402[1].member_2, _e2402[1].member_3), type_20(_e2402[2].member, _e2402[2].member_1, _e2402[2].member_2, _e2402[2].member_3), type_20(_e2402[3].member, _e2402[3].member_1, _e2402[3].member_2, _e2402[3].member_3), type_20(_e2402[4].member, _e2402[4].member_1, _e2402[4].member_2, _e2402[4].member_3), type_20(_e2402[5].member, _e2402[5].member_1, _e2402[5].member_2, _e2402[5].member_3), type_20(_e2402[6].member, _e2402[6].member_1, _e2402[6].member_2, _e2402[6].member_3), type_20(_e2402[7].member, _e2402[7].member_1, _e2402[7].member_2, _e2402[7].member_3));
+                    global_6.member[_e156] = array<type_20, 8>(type_20(_e2405[0].member, _e2405[0].member_1, _e2405[0].member_2, _e2405[0].member_3), type_20(_e2405[1].member, _e2405[1].member_1, _e2405[1].member_2, _e2405[1].member_3), type_20(_e2405[2].member, _e2405[2].member_1, _e2405[2].member_2, _e2405[2].member_3), type_20(_e2405[3].member, _e2405[3].member_1, _e2405[3].member_2, _e2405[3].member_3), type_20(_e2405[4].member, _e2405[4].member_1, _e2405[4].member_2, _e2405[4].member_3), type_20(_e2405[5].member, _e2405[5].member_1, _e2405[5].member_2, _e2405[5].member_3), type_20(_e2405[6].member, _e2405[6].member_1, _e2405[6].member_2, _e2405[6].member_3), type_20(_e2405[7].member, _e2405[7].member_1, _e2405[7].member_2, _e2405[7].member_3));
                 }
             }
             break;

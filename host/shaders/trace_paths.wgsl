@@ -123,27 +123,16 @@ fn function_() {
     var phi_964_: u32;
     var phi_972_: f32;
     var phi_973_: f32;
-    var phi_2881_: bool;
+    var phi_2885_: bool;
     var phi_988_: type_43;
-    var phi_991_: bool;
-    var phi_993_: u32;
+    var phi_991_: u32;
+    var phi_993_: bool;
     var phi_995_: u32;
     var phi_997_: u32;
     var phi_1008_: bool;
     var phi_1040_: bool;
     var phi_1041_: u32;
     var phi_1042_: u32;
-    var phi_2199_: type_47;
-    var phi_2561_: u32;
-    var phi_2589_: u32;
-    var phi_2590_: u32;
-    var phi_2591_: u32;
-    var phi_2593_: u32;
-    var phi_2594_: u32;
-    var phi_2595_: bool;
-    var phi_2604_: u32;
-    var phi_2609_: bool;
-    var phi_2611_: u32;
     var phi_1057_: type_43;
     var phi_1060_: type_7;
     var phi_1061_: type_7;
@@ -191,51 +180,62 @@ fn function_() {
     var phi_2128_: type_43;
     var phi_2129_: type_43;
     var phi_1058_: type_43;
-    var phi_2875_: bool;
-    var phi_3040_: bool;
-    var phi_2615_: type_43;
-    var phi_2616_: bool;
-    var phi_2617_: u32;
-    var phi_2618_: u32;
-    var phi_3039_: bool;
-    var phi_2619_: type_43;
-    var phi_2620_: bool;
-    var phi_2621_: u32;
-    var phi_2622_: u32;
-    var phi_2623_: u32;
-    var phi_3038_: bool;
-    var phi_2624_: type_43;
+    var phi_2879_: bool;
+    var phi_3075_: bool;
+    var phi_2130_: type_43;
+    var phi_2195_: type_47;
+    var phi_2557_: u32;
+    var phi_2584_: u32;
+    var phi_2585_: u32;
+    var phi_2586_: u32;
+    var phi_2588_: u32;
+    var phi_2589_: u32;
+    var phi_2590_: bool;
+    var phi_2599_: u32;
+    var phi_2604_: bool;
+    var phi_2606_: u32;
+    var phi_2610_: bool;
+    var phi_2611_: u32;
+    var phi_2612_: u32;
+    var phi_3043_: bool;
+    var phi_2623_: type_43;
+    var phi_2624_: u32;
     var phi_2625_: bool;
     var phi_2626_: u32;
     var phi_2627_: u32;
-    var phi_2628_: u32;
-    var phi_3037_: bool;
+    var phi_3042_: bool;
+    var phi_2628_: type_43;
+    var phi_2629_: u32;
+    var phi_2630_: bool;
+    var phi_2631_: u32;
+    var phi_2632_: u32;
+    var phi_3041_: bool;
     var phi_989_: type_43;
-    var phi_992_: bool;
-    var phi_994_: u32;
+    var phi_992_: u32;
+    var phi_994_: bool;
     var phi_996_: u32;
     var phi_998_: u32;
-    var phi_2629_: bool;
-    var phi_3036_: bool;
+    var phi_2633_: bool;
+    var phi_3040_: bool;
     var local_2: type_43;
-    var phi_2667_: f32;
-    var phi_2669_: f32;
-    var phi_2670_: bool;
     var phi_2671_: f32;
-    var phi_2672_: bool;
-    var phi_2820_: u32;
-    var phi_2838_: bool;
-    var phi_2841_: bool;
-    var phi_2854_: f32;
-    var phi_2855_: f32;
-    var phi_2860_: f32;
-    var phi_2861_: f32;
-    var phi_2862_: bool;
-    var phi_2870_: f32;
-    var phi_2687_: f32;
-    var phi_2688_: f32;
-    var phi_2700_: f32;
-    var phi_2705_: type_22;
+    var phi_2673_: f32;
+    var phi_2674_: bool;
+    var phi_2675_: f32;
+    var phi_2676_: bool;
+    var phi_2824_: u32;
+    var phi_2842_: bool;
+    var phi_2845_: bool;
+    var phi_2858_: f32;
+    var phi_2859_: f32;
+    var phi_2864_: f32;
+    var phi_2865_: f32;
+    var phi_2866_: bool;
+    var phi_2874_: f32;
+    var phi_2691_: f32;
+    var phi_2692_: f32;
+    var phi_2704_: f32;
+    var phi_2709_: type_22;
     var local_3: type_43;
 
     switch bitcast<i32>(0u) {
@@ -549,31 +549,31 @@ fn function_() {
                     let _e550 = phi_973_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2881_ = false;
+                    phi_2885_ = false;
                     phi_988_ = type_43(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e548);
-                    phi_991_ = (_e550 <= _e548);
-                    phi_993_ = ((3u * _e76) + 1u);
+                    phi_991_ = ((3u * _e76) + 1u);
+                    phi_993_ = (_e550 <= _e548);
                     phi_995_ = 0u;
                     phi_997_ = select(0u, 2147483648u, (_e76 == 0u));
                     loop {
-                        let _e558 = phi_2881_;
+                        let _e558 = phi_2885_;
                         let _e560 = phi_988_;
                         let _e562 = phi_991_;
                         let _e564 = phi_993_;
                         let _e566 = phi_995_;
                         let _e568 = phi_997_;
                         local_2 = _e560;
-                        if _e562 {
+                        if _e564 {
                             phi_1008_ = true;
                         } else {
                             phi_1008_ = (_e566 > 0u);
                         }
                         let _e571 = phi_1008_;
                         if _e571 {
-                            let _e572 = (_e564 > 0u);
+                            let _e572 = (_e562 > 0u);
                             if _e572 {
-                                if _e562 {
-                                    phi_1040_ = _e562;
+                                if _e564 {
+                                    phi_1040_ = _e564;
                                     phi_1041_ = _e566;
                                     phi_1042_ = _e568;
                                 } else {
@@ -582,13 +582,13 @@ fn function_() {
                                     let _e575 = (_e574 < 128u);
                                     if _e575 {
                                     } else {
-                                        phi_3036_ = true;
+                                        phi_3040_ = true;
                                         break;
                                     }
                                     let _e577 = local_1[_e574];
                                     if _e575 {
                                     } else {
-                                        phi_3036_ = true;
+                                        phi_3040_ = true;
                                         break;
                                     }
                                     let _e579 = local[_e574];
@@ -600,830 +600,834 @@ fn function_() {
                                 let _e585 = phi_1041_;
                                 let _e587 = phi_1042_;
                                 if _e583 {
-                                    if ((_e587 & 2147483648u) != 0u) {
+                                    let _e590 = ((_e587 & 2147483648u) != 0u);
+                                    if _e590 {
                                         phi_1057_ = _e560;
                                         phi_1060_ = type_7(0u, ((_e587 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e785 = phi_1057_;
-                                            let _e787 = phi_1060_;
-                                            local_3 = _e785;
-                                            if (_e787.member < _e787.member_1) {
-                                                phi_1061_ = type_7((_e787.member + 1u), _e787.member_1);
-                                                phi_1083_ = type_7(1u, _e787.member);
+                                            let _e597 = phi_1057_;
+                                            let _e599 = phi_1060_;
+                                            local_3 = _e597;
+                                            if (_e599.member < _e599.member_1) {
+                                                phi_1061_ = type_7((_e599.member + 1u), _e599.member_1);
+                                                phi_1083_ = type_7(1u, _e599.member);
                                             } else {
-                                                phi_1061_ = _e787;
+                                                phi_1061_ = _e599;
                                                 phi_1083_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e800 = phi_1061_;
-                                            let _e802 = phi_1083_;
-                                            let _e806 = (bitcast<i32>(_e802.member) != 0i);
-                                            if _e806 {
-                                                let _e807 = ((_e587 & 268435455u) + _e802.member_1);
-                                                let _e808 = (_e807 < _e78);
-                                                if _e808 {
-                                                    if _e808 {
+                                            let _e612 = phi_1061_;
+                                            let _e614 = phi_1083_;
+                                            let _e618 = (bitcast<i32>(_e614.member) != 0i);
+                                            if _e618 {
+                                                let _e619 = ((_e587 & 268435455u) + _e614.member_1);
+                                                let _e620 = (_e619 < _e78);
+                                                if _e620 {
+                                                    if _e620 {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e812 = global_1.member[_e807].member_1;
-                                                    phi_1104_ = _e812;
+                                                    let _e624 = global_1.member[_e619].member_1;
+                                                    phi_1104_ = _e624;
                                                 } else {
                                                     phi_1104_ = 4294967295u;
                                                 }
-                                                let _e814 = phi_1104_;
-                                                if (_e807 >= _e78) {
+                                                let _e626 = phi_1104_;
+                                                if (_e619 >= _e78) {
                                                     phi_1196_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e808 {
+                                                    if _e620 {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e816 = (_e217 % 3u);
-                                                    let _e817 = (_e216 % 3u);
-                                                    let _e818 = (_e218 % 3u);
-                                                    if (_e816 < 9u) {
+                                                    let _e628 = (_e217 % 3u);
+                                                    let _e629 = (_e216 % 3u);
+                                                    let _e630 = (_e218 % 3u);
+                                                    if (_e628 < 9u) {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e824 = global_1.member[_e807].member[_e816];
-                                                    if (_e817 < 9u) {
+                                                    let _e636 = global_1.member[_e619].member[_e628];
+                                                    if (_e629 < 9u) {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e830 = global_1.member[_e807].member[_e817];
-                                                    if (_e818 < 9u) {
+                                                    let _e642 = global_1.member[_e619].member[_e629];
+                                                    if (_e630 < 9u) {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e836 = global_1.member[_e807].member[_e818];
-                                                    let _e838 = (3u + _e816);
-                                                    if (_e838 < 9u) {
+                                                    let _e648 = global_1.member[_e619].member[_e630];
+                                                    let _e650 = (3u + _e628);
+                                                    if (_e650 < 9u) {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e844 = global_1.member[_e807].member[_e838];
-                                                    let _e845 = (3u + _e817);
-                                                    if (_e845 < 9u) {
+                                                    let _e656 = global_1.member[_e619].member[_e650];
+                                                    let _e657 = (3u + _e629);
+                                                    if (_e657 < 9u) {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e851 = global_1.member[_e807].member[_e845];
-                                                    let _e852 = (3u + _e818);
-                                                    if (_e852 < 9u) {
+                                                    let _e663 = global_1.member[_e619].member[_e657];
+                                                    let _e664 = (3u + _e630);
+                                                    if (_e664 < 9u) {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e858 = global_1.member[_e807].member[_e852];
-                                                    let _e860 = (6u + _e816);
-                                                    if (_e860 < 9u) {
+                                                    let _e670 = global_1.member[_e619].member[_e664];
+                                                    let _e672 = (6u + _e628);
+                                                    if (_e672 < 9u) {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e866 = global_1.member[_e807].member[_e860];
-                                                    let _e867 = (6u + _e817);
-                                                    if (_e867 < 9u) {
+                                                    let _e678 = global_1.member[_e619].member[_e672];
+                                                    let _e679 = (6u + _e629);
+                                                    if (_e679 < 9u) {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e873 = global_1.member[_e807].member[_e867];
-                                                    let _e874 = (6u + _e818);
-                                                    if (_e874 < 9u) {
+                                                    let _e685 = global_1.member[_e619].member[_e679];
+                                                    let _e686 = (6u + _e630);
+                                                    if (_e686 < 9u) {
                                                     } else {
-                                                        phi_2875_ = true;
+                                                        phi_2879_ = true;
                                                         break;
                                                     }
-                                                    let _e880 = global_1.member[_e807].member[_e874];
-                                                    phi_1196_ = array<array<f32, 3>, 3>(array<f32, 3>(_e824, _e830, _e836), array<f32, 3>(_e844, _e851, _e858), array<f32, 3>(_e866, _e873, _e880));
+                                                    let _e692 = global_1.member[_e619].member[_e686];
+                                                    phi_1196_ = array<array<f32, 3>, 3>(array<f32, 3>(_e636, _e642, _e648), array<f32, 3>(_e656, _e663, _e670), array<f32, 3>(_e678, _e685, _e692));
                                                 }
-                                                let _e884 = phi_1196_;
-                                                let _e892 = (_e884[0][2] - _e397);
-                                                let _e895 = (((_e884[0][0] - _e264) * _e436) - (_e892 * _e304));
-                                                let _e898 = (((_e884[0][1] - _e331) * _e436) - (_e892 * _e370));
-                                                let _e905 = (_e884[1][2] - _e397);
-                                                let _e908 = (((_e884[1][0] - _e264) * _e436) - (_e905 * _e304));
-                                                let _e911 = (((_e884[1][1] - _e331) * _e436) - (_e905 * _e370));
-                                                let _e918 = (_e884[2][2] - _e397);
-                                                let _e921 = (((_e884[2][0] - _e264) * _e436) - (_e918 * _e304));
-                                                let _e924 = (((_e884[2][1] - _e331) * _e436) - (_e918 * _e370));
-                                                let _e925 = (_e921 * _e911);
-                                                let _e926 = (_e924 * _e908);
-                                                let _e927 = (_e895 * _e924);
-                                                let _e928 = (_e898 * _e921);
-                                                let _e929 = (_e908 * _e898);
-                                                let _e930 = (_e911 * _e895);
-                                                let _e935 = (((_e925 >= _e926) && (_e927 >= _e928)) && (_e929 >= _e930));
-                                                if (_e935 || (((_e925 <= _e926) && (_e927 <= _e928)) && (_e929 <= _e930))) {
-                                                    let _e942 = select(-1f, 1f, _e935);
-                                                    let _e944 = ((_e925 - _e926) * _e942);
-                                                    let _e946 = select(0f, _e944, (_e944 > 0f));
-                                                    let _e948 = ((_e927 - _e928) * _e942);
-                                                    let _e950 = select(0f, _e948, (_e948 > 0f));
-                                                    let _e952 = ((_e929 - _e930) * _e942);
-                                                    let _e954 = select(0f, _e952, (_e952 > 0f));
-                                                    let _e956 = ((_e946 + _e950) + _e954);
-                                                    if (_e956 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e696 = phi_1196_;
+                                                let _e704 = (_e696[0][2] - _e397);
+                                                let _e707 = (((_e696[0][0] - _e264) * _e436) - (_e704 * _e304));
+                                                let _e710 = (((_e696[0][1] - _e331) * _e436) - (_e704 * _e370));
+                                                let _e717 = (_e696[1][2] - _e397);
+                                                let _e720 = (((_e696[1][0] - _e264) * _e436) - (_e717 * _e304));
+                                                let _e723 = (((_e696[1][1] - _e331) * _e436) - (_e717 * _e370));
+                                                let _e730 = (_e696[2][2] - _e397);
+                                                let _e733 = (((_e696[2][0] - _e264) * _e436) - (_e730 * _e304));
+                                                let _e736 = (((_e696[2][1] - _e331) * _e436) - (_e730 * _e370));
+                                                let _e737 = (_e733 * _e723);
+                                                let _e738 = (_e736 * _e720);
+                                                let _e739 = (_e707 * _e736);
+                                                let _e740 = (_e710 * _e733);
+                                                let _e741 = (_e720 * _e710);
+                                                let _e742 = (_e723 * _e707);
+                                                let _e747 = (((_e737 >= _e738) && (_e739 >= _e740)) && (_e741 >= _e742));
+                                                if (_e747 || (((_e737 <= _e738) && (_e739 <= _e740)) && (_e741 <= _e742))) {
+                                                    let _e754 = select(-1f, 1f, _e747);
+                                                    let _e756 = ((_e737 - _e738) * _e754);
+                                                    let _e758 = select(0f, _e756, (_e756 > 0f));
+                                                    let _e760 = ((_e739 - _e740) * _e754);
+                                                    let _e762 = select(0f, _e760, (_e760 > 0f));
+                                                    let _e764 = ((_e741 - _e742) * _e754);
+                                                    let _e766 = select(0f, _e764, (_e764 > 0f));
+                                                    let _e768 = ((_e758 + _e762) + _e766);
+                                                    if (_e768 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2080_ = type_22();
                                                         phi_2081_ = true;
                                                         phi_2082_ = false;
                                                     } else {
-                                                        let _e959 = select(_e908, _e895, (_e895 < _e908));
-                                                        if (select(_e921, _e959, (_e959 < _e921)) > 0f) {
+                                                        let _e771 = select(_e720, _e707, (_e707 < _e720));
+                                                        if (select(_e733, _e771, (_e771 < _e733)) > 0f) {
                                                             phi_1348_ = true;
                                                         } else {
-                                                            let _e964 = select(_e908, _e895, (_e895 > _e908));
-                                                            phi_1348_ = (select(_e921, _e964, (_e964 > _e921)) < 0f);
+                                                            let _e776 = select(_e720, _e707, (_e707 > _e720));
+                                                            phi_1348_ = (select(_e733, _e776, (_e776 > _e733)) < 0f);
                                                         }
-                                                        let _e969 = phi_1348_;
-                                                        if _e969 {
+                                                        let _e781 = phi_1348_;
+                                                        if _e781 {
                                                             phi_2077_ = type_22();
                                                             phi_2078_ = true;
                                                             phi_2079_ = false;
                                                         } else {
-                                                            let _e971 = select(_e911, _e898, (_e898 < _e911));
-                                                            if (select(_e924, _e971, (_e971 < _e924)) > 0f) {
+                                                            let _e783 = select(_e723, _e710, (_e710 < _e723));
+                                                            if (select(_e736, _e783, (_e783 < _e736)) > 0f) {
                                                                 phi_1377_ = true;
                                                             } else {
-                                                                let _e976 = select(_e911, _e898, (_e898 > _e911));
-                                                                phi_1377_ = (select(_e924, _e976, (_e976 > _e924)) < 0f);
+                                                                let _e788 = select(_e723, _e710, (_e710 > _e723));
+                                                                phi_1377_ = (select(_e736, _e788, (_e788 > _e736)) < 0f);
                                                             }
-                                                            let _e981 = phi_1377_;
-                                                            if _e981 {
+                                                            let _e793 = phi_1377_;
+                                                            if _e793 {
                                                                 phi_2075_ = type_22();
                                                                 phi_2076_ = false;
                                                             } else {
-                                                                let _e983 = select(_e884[1][0], _e884[0][0], (_e884[0][0] < _e884[1][0]));
-                                                                let _e987 = select(_e884[1][0], _e884[0][0], (_e884[0][0] > _e884[1][0]));
-                                                                let _e991 = select(_e884[1][1], _e884[0][1], (_e884[0][1] < _e884[1][1]));
-                                                                let _e995 = select(_e884[1][1], _e884[0][1], (_e884[0][1] > _e884[1][1]));
-                                                                let _e999 = select(_e884[1][2], _e884[0][2], (_e884[0][2] < _e884[1][2]));
-                                                                let _e1003 = select(_e884[1][2], _e884[0][2], (_e884[0][2] > _e884[1][2]));
-                                                                let _e1008 = ((select(_e884[2][0], _e983, (_e983 < _e884[2][0])) - _e302) * _e307);
-                                                                let _e1009 = ((select(_e884[2][0], _e987, (_e987 > _e884[2][0])) - _e303) * _e307);
-                                                                let _e1012 = ((select(_e884[2][1], _e991, (_e991 < _e884[2][1])) - _e368) * _e373);
-                                                                let _e1013 = ((select(_e884[2][1], _e995, (_e995 > _e884[2][1])) - _e369) * _e373);
-                                                                let _e1016 = ((select(_e884[2][2], _e999, (_e999 < _e884[2][2])) - _e434) * _e439);
-                                                                let _e1017 = ((select(_e884[2][2], _e1003, (_e1003 > _e884[2][2])) - _e435) * _e439);
-                                                                let _e1019 = select(_e1017, _e1016, (_e1016 < _e1017));
-                                                                let _e1021 = select(_e1017, _e1016, (_e1016 > _e1017));
-                                                                let _e1023 = select(_e1009, _e1008, (_e1008 < _e1009));
-                                                                let _e1025 = select(_e1013, _e1012, (_e1012 < _e1013));
-                                                                let _e1027 = select(_e1025, _e1023, (_e1023 > _e1025));
-                                                                let _e1029 = select(_e1019, _e1027, (_e1027 > _e1019));
-                                                                let _e1031 = select(_e1009, _e1008, (_e1008 > _e1009));
-                                                                let _e1033 = select(_e1013, _e1012, (_e1012 > _e1013));
-                                                                let _e1035 = select(_e1033, _e1031, (_e1031 < _e1033));
-                                                                let _e1037 = select(_e1021, _e1035, (_e1035 < _e1021));
-                                                                let _e1038 = -(_e1019);
-                                                                let _e1044 = select(_e550, _e1029, (_e1029 > _e550));
-                                                                if (_e1044 > (_e1037 + (select(_e1038, _e1021, (_e1021 > _e1038)) * 0.0000019073523f))) {
+                                                                let _e795 = select(_e696[1][0], _e696[0][0], (_e696[0][0] < _e696[1][0]));
+                                                                let _e799 = select(_e696[1][0], _e696[0][0], (_e696[0][0] > _e696[1][0]));
+                                                                let _e803 = select(_e696[1][1], _e696[0][1], (_e696[0][1] < _e696[1][1]));
+                                                                let _e807 = select(_e696[1][1], _e696[0][1], (_e696[0][1] > _e696[1][1]));
+                                                                let _e811 = select(_e696[1][2], _e696[0][2], (_e696[0][2] < _e696[1][2]));
+                                                                let _e815 = select(_e696[1][2], _e696[0][2], (_e696[0][2] > _e696[1][2]));
+                                                                let _e820 = ((select(_e696[2][0], _e795, (_e795 < _e696[2][0])) - _e302) * _e307);
+                                                                let _e821 = ((select(_e696[2][0], _e799, (_e799 > _e696[2][0])) - _e303) * _e307);
+                                                                let _e824 = ((select(_e696[2][1], _e803, (_e803 < _e696[2][1])) - _e368) * _e373);
+                                                                let _e825 = ((select(_e696[2][1], _e807, (_e807 > _e696[2][1])) - _e369) * _e373);
+                                                                let _e828 = ((select(_e696[2][2], _e811, (_e811 < _e696[2][2])) - _e434) * _e439);
+                                                                let _e829 = ((select(_e696[2][2], _e815, (_e815 > _e696[2][2])) - _e435) * _e439);
+                                                                let _e831 = select(_e829, _e828, (_e828 < _e829));
+                                                                let _e833 = select(_e829, _e828, (_e828 > _e829));
+                                                                let _e835 = select(_e821, _e820, (_e820 < _e821));
+                                                                let _e837 = select(_e825, _e824, (_e824 < _e825));
+                                                                let _e839 = select(_e837, _e835, (_e835 > _e837));
+                                                                let _e841 = select(_e831, _e839, (_e839 > _e831));
+                                                                let _e843 = select(_e821, _e820, (_e820 > _e821));
+                                                                let _e845 = select(_e825, _e824, (_e824 > _e825));
+                                                                let _e847 = select(_e845, _e843, (_e843 < _e845));
+                                                                let _e849 = select(_e833, _e847, (_e847 < _e833));
+                                                                let _e850 = -(_e831);
+                                                                let _e856 = select(_e550, _e841, (_e841 > _e550));
+                                                                if (_e856 > (_e849 + (select(_e850, _e833, (_e833 > _e850)) * 0.0000019073523f))) {
                                                                     phi_2070_ = type_22();
                                                                     phi_2071_ = true;
                                                                 } else {
-                                                                    let _e1046 = (_e1044 > _e785.member_1);
-                                                                    if _e1046 {
+                                                                    let _e858 = (_e856 > _e597.member_1);
+                                                                    if _e858 {
                                                                         phi_2069_ = type_22();
                                                                     } else {
-                                                                        let _e1047 = vec3<f32>(_e884[0][0], _e884[0][1], _e884[0][2]);
-                                                                        let _e1048 = vec3<f32>(_e884[1][0], _e884[1][1], _e884[1][2]);
-                                                                        let _e1049 = vec3<f32>(_e884[2][0], _e884[2][1], _e884[2][2]);
-                                                                        let _e1050 = (_e884[1][0] - _e884[0][0]);
-                                                                        let _e1051 = (_e884[1][1] - _e884[0][1]);
-                                                                        let _e1052 = (_e884[1][2] - _e884[0][2]);
-                                                                        let _e1053 = vec3<f32>(_e1050, _e1051, _e1052);
-                                                                        let _e1054 = (_e884[2][0] - _e884[1][0]);
-                                                                        let _e1055 = (_e884[2][1] - _e884[1][1]);
-                                                                        let _e1056 = (_e884[2][2] - _e884[1][2]);
-                                                                        let _e1057 = vec3<f32>(_e1054, _e1055, _e1056);
-                                                                        let _e1058 = (_e884[0][0] - _e884[2][0]);
-                                                                        let _e1059 = (_e884[0][1] - _e884[2][1]);
-                                                                        let _e1060 = (_e884[0][2] - _e884[2][2]);
-                                                                        let _e1061 = vec3<f32>(_e1058, _e1059, _e1060);
-                                                                        let _e1064 = bitcast<f32>((bitcast<u32>(_e1050) & 2147483647u));
-                                                                        let _e1067 = bitcast<f32>((bitcast<u32>(_e1051) & 2147483647u));
-                                                                        let _e1069 = select(_e1067, _e1064, (_e1064 > _e1067));
-                                                                        let _e1072 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
-                                                                        let _e1074 = select(_e1072, _e1069, (_e1069 > _e1072));
-                                                                        let _e1077 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
-                                                                        let _e1080 = bitcast<f32>((bitcast<u32>(_e1055) & 2147483647u));
-                                                                        let _e1082 = select(_e1080, _e1077, (_e1077 > _e1080));
-                                                                        let _e1085 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
-                                                                        let _e1087 = select(_e1085, _e1082, (_e1082 > _e1085));
-                                                                        let _e1090 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
-                                                                        let _e1093 = bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u));
-                                                                        let _e1095 = select(_e1093, _e1090, (_e1090 > _e1093));
-                                                                        let _e1098 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
-                                                                        let _e1100 = select(_e1098, _e1095, (_e1095 > _e1098));
-                                                                        let _e1102 = select(_e1087, _e1074, (_e1074 > _e1087));
-                                                                        let _e1104 = select(_e1100, _e1102, (_e1102 > _e1100));
-                                                                        if (_e1074 == _e1104) {
-                                                                            phi_1796_ = _e911;
-                                                                            phi_1797_ = _e908;
-                                                                            phi_1798_ = _e898;
-                                                                            phi_1799_ = _e895;
-                                                                            phi_1800_ = _e1047;
-                                                                            phi_1801_ = _e1061;
-                                                                            phi_1802_ = _e1057;
-                                                                            phi_1803_ = _e1053;
+                                                                        let _e859 = vec3<f32>(_e696[0][0], _e696[0][1], _e696[0][2]);
+                                                                        let _e860 = vec3<f32>(_e696[1][0], _e696[1][1], _e696[1][2]);
+                                                                        let _e861 = vec3<f32>(_e696[2][0], _e696[2][1], _e696[2][2]);
+                                                                        let _e862 = (_e696[1][0] - _e696[0][0]);
+                                                                        let _e863 = (_e696[1][1] - _e696[0][1]);
+                                                                        let _e864 = (_e696[1][2] - _e696[0][2]);
+                                                                        let _e865 = vec3<f32>(_e862, _e863, _e864);
+                                                                        let _e866 = (_e696[2][0] - _e696[1][0]);
+                                                                        let _e867 = (_e696[2][1] - _e696[1][1]);
+                                                                        let _e868 = (_e696[2][2] - _e696[1][2]);
+                                                                        let _e869 = vec3<f32>(_e866, _e867, _e868);
+                                                                        let _e870 = (_e696[0][0] - _e696[2][0]);
+                                                                        let _e871 = (_e696[0][1] - _e696[2][1]);
+                                                                        let _e872 = (_e696[0][2] - _e696[2][2]);
+                                                                        let _e873 = vec3<f32>(_e870, _e871, _e872);
+                                                                        let _e876 = bitcast<f32>((bitcast<u32>(_e862) & 2147483647u));
+                                                                        let _e879 = bitcast<f32>((bitcast<u32>(_e863) & 2147483647u));
+                                                                        let _e881 = select(_e879, _e876, (_e876 > _e879));
+                                                                        let _e884 = bitcast<f32>((bitcast<u32>(_e864) & 2147483647u));
+                                                                        let _e886 = select(_e884, _e881, (_e881 > _e884));
+                                                                        let _e889 = bitcast<f32>((bitcast<u32>(_e866) & 2147483647u));
+                                                                        let _e892 = bitcast<f32>((bitcast<u32>(_e867) & 2147483647u));
+                                                                        let _e894 = select(_e892, _e889, (_e889 > _e892));
+                                                                        let _e897 = bitcast<f32>((bitcast<u32>(_e868) & 2147483647u));
+                                                                        let _e899 = select(_e897, _e894, (_e894 > _e897));
+                                                                        let _e902 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
+                                                                        let _e905 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
+                                                                        let _e907 = select(_e905, _e902, (_e902 > _e905));
+                                                                        let _e910 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
+                                                                        let _e912 = select(_e910, _e907, (_e907 > _e910));
+                                                                        let _e914 = select(_e899, _e886, (_e886 > _e899));
+                                                                        let _e916 = select(_e912, _e914, (_e914 > _e912));
+                                                                        if (_e886 == _e916) {
+                                                                            phi_1796_ = _e723;
+                                                                            phi_1797_ = _e720;
+                                                                            phi_1798_ = _e710;
+                                                                            phi_1799_ = _e707;
+                                                                            phi_1800_ = _e859;
+                                                                            phi_1801_ = _e873;
+                                                                            phi_1802_ = _e869;
+                                                                            phi_1803_ = _e865;
                                                                         } else {
-                                                                            let _e1106 = (_e1087 == _e1104);
-                                                                            let _e1111 = vec3(_e1106);
-                                                                            phi_1796_ = select(_e898, _e924, _e1106);
-                                                                            phi_1797_ = select(_e895, _e921, _e1106);
-                                                                            phi_1798_ = select(_e924, _e911, _e1106);
-                                                                            phi_1799_ = select(_e921, _e908, _e1106);
-                                                                            phi_1800_ = select(_e1049, _e1048, _e1111);
-                                                                            phi_1801_ = select(_e1057, _e1053, _e1111);
-                                                                            phi_1802_ = select(_e1053, _e1061, _e1111);
-                                                                            phi_1803_ = select(_e1061, _e1057, _e1111);
+                                                                            let _e918 = (_e899 == _e916);
+                                                                            let _e923 = vec3(_e918);
+                                                                            phi_1796_ = select(_e710, _e736, _e918);
+                                                                            phi_1797_ = select(_e707, _e733, _e918);
+                                                                            phi_1798_ = select(_e736, _e723, _e918);
+                                                                            phi_1799_ = select(_e733, _e720, _e918);
+                                                                            phi_1800_ = select(_e861, _e860, _e923);
+                                                                            phi_1801_ = select(_e869, _e865, _e923);
+                                                                            phi_1802_ = select(_e865, _e873, _e923);
+                                                                            phi_1803_ = select(_e873, _e869, _e923);
                                                                         }
-                                                                        let _e1117 = phi_1796_;
-                                                                        let _e1119 = phi_1797_;
-                                                                        let _e1121 = phi_1798_;
-                                                                        let _e1123 = phi_1799_;
-                                                                        let _e1125 = phi_1800_;
-                                                                        let _e1127 = phi_1801_;
-                                                                        let _e1129 = phi_1802_;
-                                                                        let _e1131 = phi_1803_;
-                                                                        let _e1138 = ((_e1129.y * _e1127.z) - (_e1127.y * _e1129.z));
-                                                                        let _e1143 = ((_e1129.z * _e1127.x) - (_e1127.z * _e1129.x));
-                                                                        let _e1146 = ((_e1129.x * _e1127.y) - (_e1127.x * _e1129.y));
-                                                                        if (_e946 >= _e950) {
-                                                                            phi_1840_ = select(true, false, (_e946 >= _e954));
+                                                                        let _e929 = phi_1796_;
+                                                                        let _e931 = phi_1797_;
+                                                                        let _e933 = phi_1798_;
+                                                                        let _e935 = phi_1799_;
+                                                                        let _e937 = phi_1800_;
+                                                                        let _e939 = phi_1801_;
+                                                                        let _e941 = phi_1802_;
+                                                                        let _e943 = phi_1803_;
+                                                                        let _e950 = ((_e941.y * _e939.z) - (_e939.y * _e941.z));
+                                                                        let _e955 = ((_e941.z * _e939.x) - (_e939.z * _e941.x));
+                                                                        let _e958 = ((_e941.x * _e939.y) - (_e939.x * _e941.y));
+                                                                        if (_e758 >= _e762) {
+                                                                            phi_1840_ = select(true, false, (_e758 >= _e766));
                                                                         } else {
                                                                             phi_1840_ = true;
                                                                         }
-                                                                        let _e1151 = phi_1840_;
-                                                                        if _e1151 {
-                                                                            phi_1849_ = select(_e1049, _e1048, vec3((_e950 >= _e954)));
+                                                                        let _e963 = phi_1840_;
+                                                                        if _e963 {
+                                                                            phi_1849_ = select(_e861, _e860, vec3((_e762 >= _e766)));
                                                                         } else {
-                                                                            phi_1849_ = _e1047;
+                                                                            phi_1849_ = _e859;
                                                                         }
-                                                                        let _e1156 = phi_1849_;
-                                                                        let _e1167 = (((_e1138 * (_e1156.x - _e264)) + (_e1143 * (_e1156.y - _e331))) + (_e1146 * (_e1156.z - _e397)));
-                                                                        let _e1172 = (((_e1138 * _e304) + (_e1143 * _e370)) + (_e1146 * _e436));
-                                                                        let _e1173 = (_e1119 - _e1123);
-                                                                        let _e1174 = (_e1117 - _e1121);
-                                                                        let _e1182 = (-(((_e1123 * _e1173) + (_e1121 * _e1174))) / ((_e1173 * _e1173) + (_e1174 * _e1174)));
-                                                                        let _e1184 = select(1f, _e1182, (_e1182 < 1f));
-                                                                        let _e1186 = select(0f, _e1184, (_e1184 > 0f));
-                                                                        let _e1199 = ((_e1125.x + (_e1131.x * _e1186)) - _e264);
-                                                                        let _e1200 = ((_e1125.y + (_e1131.y * _e1186)) - _e331);
-                                                                        let _e1201 = ((_e1125.z + (_e1131.z * _e1186)) - _e397);
-                                                                        let _e1202 = (_e1201 / _e436);
-                                                                        let _e1214 = bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u));
-                                                                        let _e1217 = bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u));
-                                                                        let _e1219 = select(_e1217, _e1214, (_e1214 > _e1217));
-                                                                        let _e1222 = bitcast<f32>((bitcast<u32>(_e1201) & 2147483647u));
-                                                                        let _e1224 = select(_e1222, _e1219, (_e1219 > _e1222));
-                                                                        let _e1230 = bitcast<f32>((bitcast<u32>(_e1138) & 2147483647u));
-                                                                        let _e1233 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
-                                                                        let _e1235 = select(_e1233, _e1230, (_e1230 > _e1233));
-                                                                        let _e1238 = bitcast<f32>((bitcast<u32>(_e1146) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1138 * _e1199) + (_e1143 * _e1200)) + (_e1146 * _e1201)) - _e1167)) & 2147483647u)) <= ((0.0000009536743f * select(_e1104, _e1224, (_e1224 > _e1104))) * select(_e1238, _e1235, (_e1235 > _e1238)))) {
-                                                                            let _e1248 = bitcast<f32>((bitcast<u32>(_e1129.x) & 2147483647u));
-                                                                            let _e1251 = bitcast<f32>((bitcast<u32>(_e1129.y) & 2147483647u));
-                                                                            let _e1253 = select(_e1251, _e1248, (_e1248 > _e1251));
-                                                                            let _e1256 = bitcast<f32>((bitcast<u32>(_e1129.z) & 2147483647u));
-                                                                            let _e1262 = bitcast<f32>((bitcast<u32>(_e1127.x) & 2147483647u));
-                                                                            let _e1265 = bitcast<f32>((bitcast<u32>(_e1127.y) & 2147483647u));
-                                                                            let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
-                                                                            let _e1270 = bitcast<f32>((bitcast<u32>(_e1127.z) & 2147483647u));
-                                                                            let _e1274 = (bitcast<f32>((bitcast<u32>(_e1172) & 2147483647u)) > ((0.0000038146973f * select(_e1256, _e1253, (_e1253 > _e1256))) * select(_e1270, _e1267, (_e1267 > _e1270))));
-                                                                            if _e1274 {
-                                                                                phi_2014_ = (_e1167 / _e1172);
+                                                                        let _e968 = phi_1849_;
+                                                                        let _e979 = (((_e950 * (_e968.x - _e264)) + (_e955 * (_e968.y - _e331))) + (_e958 * (_e968.z - _e397)));
+                                                                        let _e984 = (((_e950 * _e304) + (_e955 * _e370)) + (_e958 * _e436));
+                                                                        let _e985 = (_e931 - _e935);
+                                                                        let _e986 = (_e929 - _e933);
+                                                                        let _e994 = (-(((_e935 * _e985) + (_e933 * _e986))) / ((_e985 * _e985) + (_e986 * _e986)));
+                                                                        let _e996 = select(1f, _e994, (_e994 < 1f));
+                                                                        let _e998 = select(0f, _e996, (_e996 > 0f));
+                                                                        let _e1011 = ((_e937.x + (_e943.x * _e998)) - _e264);
+                                                                        let _e1012 = ((_e937.y + (_e943.y * _e998)) - _e331);
+                                                                        let _e1013 = ((_e937.z + (_e943.z * _e998)) - _e397);
+                                                                        let _e1014 = (_e1013 / _e436);
+                                                                        let _e1026 = bitcast<f32>((bitcast<u32>(_e1011) & 2147483647u));
+                                                                        let _e1029 = bitcast<f32>((bitcast<u32>(_e1012) & 2147483647u));
+                                                                        let _e1031 = select(_e1029, _e1026, (_e1026 > _e1029));
+                                                                        let _e1034 = bitcast<f32>((bitcast<u32>(_e1013) & 2147483647u));
+                                                                        let _e1036 = select(_e1034, _e1031, (_e1031 > _e1034));
+                                                                        let _e1042 = bitcast<f32>((bitcast<u32>(_e950) & 2147483647u));
+                                                                        let _e1045 = bitcast<f32>((bitcast<u32>(_e955) & 2147483647u));
+                                                                        let _e1047 = select(_e1045, _e1042, (_e1042 > _e1045));
+                                                                        let _e1050 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e950 * _e1011) + (_e955 * _e1012)) + (_e958 * _e1013)) - _e979)) & 2147483647u)) <= ((0.0000009536743f * select(_e916, _e1036, (_e1036 > _e916))) * select(_e1050, _e1047, (_e1047 > _e1050)))) {
+                                                                            let _e1060 = bitcast<f32>((bitcast<u32>(_e941.x) & 2147483647u));
+                                                                            let _e1063 = bitcast<f32>((bitcast<u32>(_e941.y) & 2147483647u));
+                                                                            let _e1065 = select(_e1063, _e1060, (_e1060 > _e1063));
+                                                                            let _e1068 = bitcast<f32>((bitcast<u32>(_e941.z) & 2147483647u));
+                                                                            let _e1074 = bitcast<f32>((bitcast<u32>(_e939.x) & 2147483647u));
+                                                                            let _e1077 = bitcast<f32>((bitcast<u32>(_e939.y) & 2147483647u));
+                                                                            let _e1079 = select(_e1077, _e1074, (_e1074 > _e1077));
+                                                                            let _e1082 = bitcast<f32>((bitcast<u32>(_e939.z) & 2147483647u));
+                                                                            let _e1086 = (bitcast<f32>((bitcast<u32>(_e984) & 2147483647u)) > ((0.0000038146973f * select(_e1068, _e1065, (_e1065 > _e1068))) * select(_e1082, _e1079, (_e1079 > _e1082))));
+                                                                            if _e1086 {
+                                                                                phi_2014_ = (_e979 / _e984);
                                                                             } else {
                                                                                 phi_2014_ = f32();
                                                                             }
-                                                                            let _e1277 = phi_2014_;
-                                                                            phi_2016_ = _e1277;
-                                                                            phi_2017_ = select(true, false, _e1274);
+                                                                            let _e1089 = phi_2014_;
+                                                                            phi_2016_ = _e1089;
+                                                                            phi_2017_ = select(true, false, _e1086);
                                                                         } else {
                                                                             phi_2016_ = f32();
                                                                             phi_2017_ = true;
                                                                         }
-                                                                        let _e1280 = phi_2016_;
-                                                                        let _e1282 = phi_2017_;
-                                                                        if _e1282 {
-                                                                            let _e1290 = (((_e1138 * (_e1199 - (_e304 * _e1202))) + (_e1143 * (_e1200 - (_e370 * _e1202)))) / _e1172);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1290) & 2147483647u)) <= _e1104) {
-                                                                                phi_2037_ = (_e1202 + _e1290);
+                                                                        let _e1092 = phi_2016_;
+                                                                        let _e1094 = phi_2017_;
+                                                                        if _e1094 {
+                                                                            let _e1102 = (((_e950 * (_e1011 - (_e304 * _e1014))) + (_e955 * (_e1012 - (_e370 * _e1014)))) / _e984);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1102) & 2147483647u)) <= _e916) {
+                                                                                phi_2037_ = (_e1014 + _e1102);
                                                                             } else {
-                                                                                phi_2037_ = _e1202;
+                                                                                phi_2037_ = _e1014;
                                                                             }
-                                                                            let _e1297 = phi_2037_;
-                                                                            phi_2038_ = _e1297;
+                                                                            let _e1109 = phi_2037_;
+                                                                            phi_2038_ = _e1109;
                                                                         } else {
-                                                                            phi_2038_ = _e1280;
+                                                                            phi_2038_ = _e1092;
                                                                         }
-                                                                        let _e1299 = phi_2038_;
-                                                                        let _e1301 = select(_e1037, _e1299, (_e1299 < _e1037));
-                                                                        let _e1303 = select(_e1029, _e1301, (_e1301 > _e1029));
-                                                                        if (_e1303 >= _e550) {
-                                                                            let _e1305 = (_e1303 <= _e785.member_1);
-                                                                            if _e1305 {
-                                                                                let _e1306 = (1f / _e956);
-                                                                                phi_2061_ = type_22(_e1303, (_e950 * _e1306), (_e954 * _e1306), _e814);
+                                                                        let _e1111 = phi_2038_;
+                                                                        let _e1113 = select(_e849, _e1111, (_e1111 < _e849));
+                                                                        let _e1115 = select(_e841, _e1113, (_e1113 > _e841));
+                                                                        if (_e1115 >= _e550) {
+                                                                            let _e1117 = (_e1115 <= _e597.member_1);
+                                                                            if _e1117 {
+                                                                                let _e1118 = (1f / _e768);
+                                                                                phi_2061_ = type_22(_e1115, (_e762 * _e1118), (_e766 * _e1118), _e626);
                                                                             } else {
                                                                                 phi_2061_ = type_22();
                                                                             }
-                                                                            let _e1311 = phi_2061_;
-                                                                            phi_2063_ = _e1311;
-                                                                            phi_2064_ = select(true, false, _e1305);
+                                                                            let _e1123 = phi_2061_;
+                                                                            phi_2063_ = _e1123;
+                                                                            phi_2064_ = select(true, false, _e1117);
                                                                         } else {
                                                                             phi_2063_ = type_22();
                                                                             phi_2064_ = true;
                                                                         }
-                                                                        let _e1314 = phi_2063_;
-                                                                        let _e1316 = phi_2064_;
-                                                                        if _e1316 {
+                                                                        let _e1126 = phi_2063_;
+                                                                        let _e1128 = phi_2064_;
+                                                                        if _e1128 {
                                                                             phi_2068_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2068_ = _e1314;
+                                                                            phi_2068_ = _e1126;
                                                                         }
-                                                                        let _e1318 = phi_2068_;
-                                                                        phi_2069_ = _e1318;
+                                                                        let _e1130 = phi_2068_;
+                                                                        phi_2069_ = _e1130;
                                                                     }
-                                                                    let _e1320 = phi_2069_;
-                                                                    phi_2070_ = _e1320;
-                                                                    phi_2071_ = _e1046;
+                                                                    let _e1132 = phi_2069_;
+                                                                    phi_2070_ = _e1132;
+                                                                    phi_2071_ = _e858;
                                                                 }
-                                                                let _e1322 = phi_2070_;
-                                                                let _e1324 = phi_2071_;
-                                                                phi_2075_ = _e1322;
-                                                                phi_2076_ = _e1324;
+                                                                let _e1134 = phi_2070_;
+                                                                let _e1136 = phi_2071_;
+                                                                phi_2075_ = _e1134;
+                                                                phi_2076_ = _e1136;
                                                             }
-                                                            let _e1326 = phi_2075_;
-                                                            let _e1328 = phi_2076_;
-                                                            phi_2077_ = _e1326;
-                                                            phi_2078_ = _e981;
-                                                            phi_2079_ = _e1328;
+                                                            let _e1138 = phi_2075_;
+                                                            let _e1140 = phi_2076_;
+                                                            phi_2077_ = _e1138;
+                                                            phi_2078_ = _e793;
+                                                            phi_2079_ = _e1140;
                                                         }
-                                                        let _e1330 = phi_2077_;
-                                                        let _e1332 = phi_2078_;
-                                                        let _e1334 = phi_2079_;
-                                                        phi_2080_ = _e1330;
-                                                        phi_2081_ = _e1332;
-                                                        phi_2082_ = _e1334;
+                                                        let _e1142 = phi_2077_;
+                                                        let _e1144 = phi_2078_;
+                                                        let _e1146 = phi_2079_;
+                                                        phi_2080_ = _e1142;
+                                                        phi_2081_ = _e1144;
+                                                        phi_2082_ = _e1146;
                                                     }
-                                                    let _e1336 = phi_2080_;
-                                                    let _e1338 = phi_2081_;
-                                                    let _e1340 = phi_2082_;
-                                                    phi_2090_ = _e1336;
-                                                    phi_2091_ = select(_e1340, true, _e1338);
+                                                    let _e1148 = phi_2080_;
+                                                    let _e1150 = phi_2081_;
+                                                    let _e1152 = phi_2082_;
+                                                    phi_2090_ = _e1148;
+                                                    phi_2091_ = select(_e1152, true, _e1150);
                                                 } else {
                                                     phi_2090_ = type_22();
                                                     phi_2091_ = true;
                                                 }
-                                                let _e1343 = phi_2090_;
-                                                let _e1345 = phi_2091_;
-                                                if _e1345 {
+                                                let _e1155 = phi_2090_;
+                                                let _e1157 = phi_2091_;
+                                                if _e1157 {
                                                     phi_2095_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2095_ = _e1343;
+                                                    phi_2095_ = _e1155;
                                                 }
-                                                let _e1347 = phi_2095_;
-                                                if (_e1347.member_3 != 4294967295u) {
-                                                    if (_e814 != _e95) {
-                                                        if (_e1347.member < _e785.member.member) {
+                                                let _e1159 = phi_2095_;
+                                                if (_e1159.member_3 != 4294967295u) {
+                                                    if (_e626 != _e95) {
+                                                        if (_e1159.member < _e597.member.member) {
                                                             phi_2121_ = true;
                                                         } else {
-                                                            if (_e1347.member == _e785.member.member) {
-                                                                phi_2120_ = (_e1347.member_3 < _e785.member.member_3);
+                                                            if (_e1159.member == _e597.member.member) {
+                                                                phi_2120_ = (_e1159.member_3 < _e597.member.member_3);
                                                             } else {
                                                                 phi_2120_ = false;
                                                             }
-                                                            let _e1360 = phi_2120_;
-                                                            phi_2121_ = _e1360;
+                                                            let _e1172 = phi_2120_;
+                                                            phi_2121_ = _e1172;
                                                         }
-                                                        let _e1362 = phi_2121_;
-                                                        if _e1362 {
-                                                            phi_2127_ = type_43(_e1347, _e1347.member);
+                                                        let _e1174 = phi_2121_;
+                                                        if _e1174 {
+                                                            phi_2127_ = type_43(_e1159, _e1159.member);
                                                         } else {
-                                                            phi_2127_ = _e785;
+                                                            phi_2127_ = _e597;
                                                         }
-                                                        let _e1365 = phi_2127_;
-                                                        phi_2128_ = _e1365;
+                                                        let _e1177 = phi_2127_;
+                                                        phi_2128_ = _e1177;
                                                     } else {
-                                                        phi_2128_ = _e785;
+                                                        phi_2128_ = _e597;
                                                     }
-                                                    let _e1367 = phi_2128_;
-                                                    phi_2129_ = _e1367;
+                                                    let _e1179 = phi_2128_;
+                                                    phi_2129_ = _e1179;
                                                 } else {
-                                                    phi_2129_ = _e785;
+                                                    phi_2129_ = _e597;
                                                 }
-                                                let _e1369 = phi_2129_;
-                                                phi_1058_ = _e1369;
+                                                let _e1181 = phi_2129_;
+                                                phi_1058_ = _e1181;
                                             } else {
                                                 phi_1058_ = type_43();
                                             }
-                                            let _e1371 = phi_1058_;
+                                            let _e1183 = phi_1058_;
                                             continue;
                                             continuing {
-                                                phi_1057_ = _e1371;
-                                                phi_1060_ = _e800;
-                                                phi_2875_ = _e558;
-                                                break if !(_e806);
+                                                phi_1057_ = _e1183;
+                                                phi_1060_ = _e612;
+                                                phi_2879_ = _e558;
+                                                break if !(_e618);
                                             }
                                         }
-                                        let _e1374 = phi_2875_;
-                                        phi_3036_ = _e1374;
-                                        if _e1374 {
+                                        let _e1186 = phi_2879_;
+                                        phi_3040_ = _e1186;
+                                        if _e1186 {
                                             break;
                                         }
-                                        phi_3040_ = _e1374;
-                                        let _e1686 = local_3;
-                                        phi_2615_ = _e1686;
-                                        phi_2616_ = false;
-                                        phi_2617_ = _e585;
-                                        phi_2618_ = _e587;
+                                        phi_3075_ = _e1186;
+                                        let _e1677 = local_3;
+                                        phi_2130_ = _e1677;
+                                    } else {
+                                        phi_3075_ = _e558;
+                                        phi_2130_ = _e560;
+                                    }
+                                    let _e1188 = phi_3075_;
+                                    let _e1190 = phi_2130_;
+                                    if _e590 {
+                                        phi_2610_ = bool();
+                                        phi_2611_ = u32();
+                                        phi_2612_ = u32();
                                     } else {
                                         if (_e587 >= _e76) {
-                                            phi_2199_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_2195_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e587 < _e76) {
                                             } else {
-                                                phi_3036_ = true;
+                                                phi_3040_ = true;
                                                 break;
                                             }
-                                            let _e597 = (_e217 % 3u);
-                                            if (_e597 < 3u) {
+                                            let _e1193 = (_e217 % 3u);
+                                            if (_e1193 < 3u) {
                                             } else {
-                                                phi_3036_ = true;
+                                                phi_3040_ = true;
                                                 break;
                                             }
-                                            let _e603 = global_2.member[_e587].member[_e597];
-                                            let _e609 = (_e216 % 3u);
-                                            if (_e609 < 3u) {
+                                            let _e1199 = global_2.member[_e587].member[_e1193];
+                                            let _e1205 = (_e216 % 3u);
+                                            if (_e1205 < 3u) {
                                             } else {
-                                                phi_3036_ = true;
+                                                phi_3040_ = true;
                                                 break;
                                             }
-                                            let _e615 = global_2.member[_e587].member[_e609];
-                                            let _e621 = (_e218 % 3u);
-                                            if (_e621 < 3u) {
+                                            let _e1211 = global_2.member[_e587].member[_e1205];
+                                            let _e1217 = (_e218 % 3u);
+                                            if (_e1217 < 3u) {
                                             } else {
-                                                phi_3036_ = true;
+                                                phi_3040_ = true;
                                                 break;
                                             }
-                                            let _e627 = global_2.member[_e587].member[_e621];
-                                            let _e637 = global_2.member[_e587].member_1;
-                                            let _e641 = global_2.member[_e587].member_2;
-                                            phi_2199_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e603[0], _e603[1], _e603[2], _e603[3]), vec4<f32>(_e615[0], _e615[1], _e615[2], _e615[3]), vec4<f32>(_e627[0], _e627[1], _e627[2], _e627[3])), _e637, _e641);
+                                            let _e1223 = global_2.member[_e587].member[_e1217];
+                                            let _e1233 = global_2.member[_e587].member_1;
+                                            let _e1237 = global_2.member[_e587].member_2;
+                                            phi_2195_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e1199[0], _e1199[1], _e1199[2], _e1199[3]), vec4<f32>(_e1211[0], _e1211[1], _e1211[2], _e1211[3]), vec4<f32>(_e1223[0], _e1223[1], _e1223[2], _e1223[3])), _e1233, _e1237);
                                         }
-                                        let _e644 = phi_2199_;
-                                        let _e656 = ((_e644.member[0].x - _e302) * _e307);
-                                        let _e657 = ((_e644.member[0].y - _e302) * _e307);
-                                        let _e658 = ((_e644.member[0].z - _e303) * _e307);
-                                        let _e659 = ((_e644.member[0].w - _e303) * _e307);
-                                        let _e669 = ((_e644.member[1].x - _e368) * _e373);
-                                        let _e670 = ((_e644.member[1].y - _e368) * _e373);
-                                        let _e671 = ((_e644.member[1].z - _e369) * _e373);
-                                        let _e672 = ((_e644.member[1].w - _e369) * _e373);
-                                        let _e682 = ((_e644.member[2].x - _e434) * _e439);
-                                        let _e683 = ((_e644.member[2].y - _e434) * _e439);
-                                        let _e684 = ((_e644.member[2].z - _e435) * _e439);
-                                        let _e685 = ((_e644.member[2].w - _e435) * _e439);
-                                        let _e687 = select(_e684, _e682, (_e682 < _e684));
-                                        let _e689 = select(_e685, _e683, (_e683 < _e685));
-                                        let _e691 = select(_e684, _e682, (_e682 > _e684));
-                                        let _e693 = select(_e685, _e683, (_e683 > _e685));
-                                        let _e695 = select(_e658, _e656, (_e656 < _e658));
-                                        let _e697 = select(_e659, _e657, (_e657 < _e659));
-                                        let _e699 = select(_e671, _e669, (_e669 < _e671));
-                                        let _e701 = select(_e672, _e670, (_e670 < _e672));
-                                        let _e703 = select(_e699, _e695, (_e695 > _e699));
-                                        let _e705 = select(_e701, _e697, (_e697 > _e701));
-                                        let _e707 = select(_e687, _e703, (_e703 > _e687));
-                                        let _e709 = select(_e689, _e705, (_e705 > _e689));
-                                        let _e711 = select(_e658, _e656, (_e656 > _e658));
-                                        let _e713 = select(_e659, _e657, (_e657 > _e659));
-                                        let _e715 = select(_e671, _e669, (_e669 > _e671));
-                                        let _e717 = select(_e672, _e670, (_e670 > _e672));
-                                        let _e719 = select(_e715, _e711, (_e711 < _e715));
-                                        let _e721 = select(_e717, _e713, (_e713 < _e717));
-                                        let _e726 = -(_e687);
-                                        let _e727 = -(_e689);
-                                        let _e734 = (select(_e691, _e719, (_e719 < _e691)) + (select(_e726, _e691, (_e691 > _e726)) * 0.0000019073523f));
-                                        let _e735 = (select(_e693, _e721, (_e721 < _e693)) + (select(_e727, _e693, (_e693 > _e727)) * 0.0000019073523f));
-                                        let _e737 = select(_e550, _e707, (_e707 > _e550));
-                                        let _e739 = select(_e550, _e709, (_e709 > _e550));
-                                        let _e744 = (_e737 <= select(_e560.member_1, _e734, (_e734 < _e560.member_1)));
-                                        let _e745 = (_e739 <= select(_e560.member_1, _e735, (_e735 < _e560.member_1)));
-                                        let _e746 = (_e737 <= _e739);
-                                        if _e744 {
-                                            if _e745 {
-                                                if _e746 {
-                                                    phi_2561_ = _e644.member_2;
+                                        let _e1240 = phi_2195_;
+                                        let _e1252 = ((_e1240.member[0].x - _e302) * _e307);
+                                        let _e1253 = ((_e1240.member[0].y - _e302) * _e307);
+                                        let _e1254 = ((_e1240.member[0].z - _e303) * _e307);
+                                        let _e1255 = ((_e1240.member[0].w - _e303) * _e307);
+                                        let _e1265 = ((_e1240.member[1].x - _e368) * _e373);
+                                        let _e1266 = ((_e1240.member[1].y - _e368) * _e373);
+                                        let _e1267 = ((_e1240.member[1].z - _e369) * _e373);
+                                        let _e1268 = ((_e1240.member[1].w - _e369) * _e373);
+                                        let _e1278 = ((_e1240.member[2].x - _e434) * _e439);
+                                        let _e1279 = ((_e1240.member[2].y - _e434) * _e439);
+                                        let _e1280 = ((_e1240.member[2].z - _e435) * _e439);
+                                        let _e1281 = ((_e1240.member[2].w - _e435) * _e439);
+                                        let _e1283 = select(_e1280, _e1278, (_e1278 < _e1280));
+                                        let _e1285 = select(_e1281, _e1279, (_e1279 < _e1281));
+                                        let _e1287 = select(_e1280, _e1278, (_e1278 > _e1280));
+                                        let _e1289 = select(_e1281, _e1279, (_e1279 > _e1281));
+                                        let _e1291 = select(_e1254, _e1252, (_e1252 < _e1254));
+                                        let _e1293 = select(_e1255, _e1253, (_e1253 < _e1255));
+                                        let _e1295 = select(_e1267, _e1265, (_e1265 < _e1267));
+                                        let _e1297 = select(_e1268, _e1266, (_e1266 < _e1268));
+                                        let _e1299 = select(_e1295, _e1291, (_e1291 > _e1295));
+                                        let _e1301 = select(_e1297, _e1293, (_e1293 > _e1297));
+                                        let _e1303 = select(_e1283, _e1299, (_e1299 > _e1283));
+                                        let _e1305 = select(_e1285, _e1301, (_e1301 > _e1285));
+                                        let _e1307 = select(_e1254, _e1252, (_e1252 > _e1254));
+                                        let _e1309 = select(_e1255, _e1253, (_e1253 > _e1255));
+                                        let _e1311 = select(_e1267, _e1265, (_e1265 > _e1267));
+                                        let _e1313 = select(_e1268, _e1266, (_e1266 > _e1268));
+                                        let _e1315 = select(_e1311, _e1307, (_e1307 < _e1311));
+                                        let _e1317 = select(_e1313, _e1309, (_e1309 < _e1313));
+                                        let _e1322 = -(_e1283);
+                                        let _e1323 = -(_e1285);
+                                        let _e1330 = (select(_e1287, _e1315, (_e1315 < _e1287)) + (select(_e1322, _e1287, (_e1287 > _e1322)) * 0.0000019073523f));
+                                        let _e1331 = (select(_e1289, _e1317, (_e1317 < _e1289)) + (select(_e1323, _e1289, (_e1289 > _e1323)) * 0.0000019073523f));
+                                        let _e1333 = select(_e550, _e1303, (_e1303 > _e550));
+                                        let _e1335 = select(_e550, _e1305, (_e1305 > _e550));
+                                        let _e1340 = (_e1333 <= select(_e1190.member_1, _e1330, (_e1330 < _e1190.member_1)));
+                                        let _e1341 = (_e1335 <= select(_e1190.member_1, _e1331, (_e1331 < _e1190.member_1)));
+                                        let _e1342 = (_e1333 <= _e1335);
+                                        if _e1340 {
+                                            if _e1341 {
+                                                if _e1342 {
+                                                    phi_2557_ = _e1240.member_2;
                                                 } else {
-                                                    phi_2561_ = _e644.member_1;
+                                                    phi_2557_ = _e1240.member_1;
                                                 }
-                                                let _e750 = phi_2561_;
-                                                let _e753 = (_e585 % 128u);
-                                                let _e754 = (_e753 < 128u);
-                                                if _e754 {
+                                                let _e1346 = phi_2557_;
+                                                let _e1348 = (_e585 % 128u);
+                                                let _e1349 = (_e1348 < 128u);
+                                                if _e1349 {
                                                 } else {
-                                                    phi_3036_ = true;
+                                                    phi_3040_ = true;
                                                     break;
                                                 }
-                                                local_1[_e753] = _e750;
-                                                if _e754 {
+                                                local_1[_e1348] = _e1346;
+                                                if _e1349 {
                                                 } else {
-                                                    phi_3036_ = true;
+                                                    phi_3040_ = true;
                                                     break;
                                                 }
-                                                local[_e753] = select(_e739, _e737, !(_e746));
-                                                if _e746 {
-                                                    phi_2589_ = _e644.member_1;
+                                                local[_e1348] = select(_e1333, _e1335, _e1342);
+                                                if _e1342 {
+                                                    phi_2584_ = _e1240.member_1;
                                                 } else {
-                                                    phi_2589_ = _e644.member_2;
+                                                    phi_2584_ = _e1240.member_2;
                                                 }
-                                                let _e761 = phi_2589_;
-                                                phi_2590_ = (_e585 + 1u);
-                                                phi_2591_ = _e761;
+                                                let _e1356 = phi_2584_;
+                                                phi_2585_ = (_e585 + 1u);
+                                                phi_2586_ = _e1356;
                                             } else {
-                                                phi_2590_ = u32();
-                                                phi_2591_ = u32();
+                                                phi_2585_ = u32();
+                                                phi_2586_ = u32();
                                             }
-                                            let _e763 = phi_2590_;
-                                            let _e765 = phi_2591_;
-                                            phi_2593_ = _e763;
-                                            phi_2594_ = _e765;
-                                            phi_2595_ = select(true, false, _e745);
+                                            let _e1358 = phi_2585_;
+                                            let _e1360 = phi_2586_;
+                                            phi_2588_ = _e1358;
+                                            phi_2589_ = _e1360;
+                                            phi_2590_ = select(true, false, _e1341);
                                         } else {
-                                            phi_2593_ = u32();
-                                            phi_2594_ = u32();
-                                            phi_2595_ = true;
+                                            phi_2588_ = u32();
+                                            phi_2589_ = u32();
+                                            phi_2590_ = true;
                                         }
-                                        let _e768 = phi_2593_;
-                                        let _e770 = phi_2594_;
-                                        let _e772 = phi_2595_;
-                                        if _e772 {
-                                            if _e744 {
-                                                phi_2604_ = _e644.member_1;
+                                        let _e1363 = phi_2588_;
+                                        let _e1365 = phi_2589_;
+                                        let _e1367 = phi_2590_;
+                                        if _e1367 {
+                                            if _e1340 {
+                                                phi_2599_ = _e1240.member_1;
                                             } else {
-                                                phi_2604_ = _e644.member_2;
+                                                phi_2599_ = _e1240.member_2;
                                             }
-                                            let _e776 = phi_2604_;
-                                            phi_2609_ = select(_e745, true, _e744);
-                                            phi_2611_ = _e776;
+                                            let _e1371 = phi_2599_;
+                                            phi_2604_ = select(_e1341, true, _e1340);
+                                            phi_2606_ = _e1371;
                                         } else {
-                                            phi_2609_ = _e583;
-                                            phi_2611_ = _e770;
+                                            phi_2604_ = _e583;
+                                            phi_2606_ = _e1365;
                                         }
-                                        let _e779 = phi_2609_;
-                                        let _e781 = phi_2611_;
-                                        phi_3040_ = _e558;
-                                        phi_2615_ = _e560;
-                                        phi_2616_ = _e779;
-                                        phi_2617_ = select(_e768, _e585, _e772);
-                                        phi_2618_ = _e781;
+                                        let _e1374 = phi_2604_;
+                                        let _e1376 = phi_2606_;
+                                        phi_2610_ = _e1374;
+                                        phi_2611_ = select(_e1363, _e585, _e1367);
+                                        phi_2612_ = _e1376;
                                     }
-                                    let _e1376 = phi_3040_;
-                                    let _e1378 = phi_2615_;
-                                    let _e1380 = phi_2616_;
-                                    let _e1382 = phi_2617_;
-                                    let _e1384 = phi_2618_;
-                                    phi_3039_ = _e1376;
-                                    phi_2619_ = _e1378;
-                                    phi_2620_ = _e1380;
-                                    phi_2621_ = (_e564 - 1u);
-                                    phi_2622_ = _e1382;
-                                    phi_2623_ = _e1384;
+                                    let _e1379 = phi_2610_;
+                                    let _e1381 = phi_2611_;
+                                    let _e1383 = phi_2612_;
+                                    phi_3043_ = _e1188;
+                                    phi_2623_ = _e1190;
+                                    phi_2624_ = (_e562 - 1u);
+                                    phi_2625_ = select(_e1379, false, _e590);
+                                    phi_2626_ = select(_e1381, _e585, _e590);
+                                    phi_2627_ = select(_e1383, _e587, _e590);
                                 } else {
-                                    phi_3039_ = _e558;
-                                    phi_2619_ = _e560;
-                                    phi_2620_ = _e583;
-                                    phi_2621_ = _e564;
-                                    phi_2622_ = _e585;
-                                    phi_2623_ = _e587;
+                                    phi_3043_ = _e558;
+                                    phi_2623_ = _e560;
+                                    phi_2624_ = _e562;
+                                    phi_2625_ = _e583;
+                                    phi_2626_ = _e585;
+                                    phi_2627_ = _e587;
                                 }
-                                let _e1386 = phi_3039_;
-                                let _e1388 = phi_2619_;
-                                let _e1390 = phi_2620_;
-                                let _e1392 = phi_2621_;
-                                let _e1394 = phi_2622_;
-                                let _e1396 = phi_2623_;
-                                phi_3038_ = _e1386;
-                                phi_2624_ = _e1388;
-                                phi_2625_ = _e1390;
-                                phi_2626_ = _e1392;
-                                phi_2627_ = _e1394;
-                                phi_2628_ = _e1396;
+                                let _e1388 = phi_3043_;
+                                let _e1390 = phi_2623_;
+                                let _e1392 = phi_2624_;
+                                let _e1394 = phi_2625_;
+                                let _e1396 = phi_2626_;
+                                let _e1398 = phi_2627_;
+                                phi_3042_ = _e1388;
+                                phi_2628_ = _e1390;
+                                phi_2629_ = _e1392;
+                                phi_2630_ = _e1394;
+                                phi_2631_ = _e1396;
+                                phi_2632_ = _e1398;
                             } else {
-                                phi_3038_ = _e558;
-                                phi_2624_ = type_43();
-                                phi_2625_ = bool();
-                                phi_2626_ = u32();
-                                phi_2627_ = u32();
-                                phi_2628_ = u32();
+                                phi_3042_ = _e558;
+                                phi_2628_ = type_43();
+                                phi_2629_ = u32();
+                                phi_2630_ = bool();
+                                phi_2631_ = u32();
+                                phi_2632_ = u32();
                             }
-                            let _e1398 = phi_3038_;
-                            let _e1400 = phi_2624_;
-                            let _e1402 = phi_2625_;
-                            let _e1404 = phi_2626_;
-                            let _e1406 = phi_2627_;
-                            let _e1408 = phi_2628_;
-                            phi_3037_ = _e1398;
-                            phi_989_ = _e1400;
-                            phi_992_ = _e1402;
-                            phi_994_ = _e1404;
-                            phi_996_ = _e1406;
-                            phi_998_ = _e1408;
-                            phi_2629_ = _e572;
+                            let _e1400 = phi_3042_;
+                            let _e1402 = phi_2628_;
+                            let _e1404 = phi_2629_;
+                            let _e1406 = phi_2630_;
+                            let _e1408 = phi_2631_;
+                            let _e1410 = phi_2632_;
+                            phi_3041_ = _e1400;
+                            phi_989_ = _e1402;
+                            phi_992_ = _e1404;
+                            phi_994_ = _e1406;
+                            phi_996_ = _e1408;
+                            phi_998_ = _e1410;
+                            phi_2633_ = _e572;
                         } else {
-                            phi_3037_ = _e558;
+                            phi_3041_ = _e558;
                             phi_989_ = type_43();
-                            phi_992_ = bool();
-                            phi_994_ = u32();
+                            phi_992_ = u32();
+                            phi_994_ = bool();
                             phi_996_ = u32();
                             phi_998_ = u32();
-                            phi_2629_ = false;
+                            phi_2633_ = false;
                         }
-                        let _e1410 = phi_3037_;
-                        let _e1412 = phi_989_;
-                        let _e1414 = phi_992_;
-                        let _e1416 = phi_994_;
-                        let _e1418 = phi_996_;
-                        let _e1420 = phi_998_;
-                        let _e1422 = phi_2629_;
+                        let _e1412 = phi_3041_;
+                        let _e1414 = phi_989_;
+                        let _e1416 = phi_992_;
+                        let _e1418 = phi_994_;
+                        let _e1420 = phi_996_;
+                        let _e1422 = phi_998_;
+                        let _e1424 = phi_2633_;
                         continue;
                         continuing {
-                            phi_2881_ = _e1410;
-                            phi_988_ = _e1412;
-                            phi_991_ = _e1414;
-                            phi_993_ = _e1416;
-                            phi_995_ = _e1418;
-                            phi_997_ = _e1420;
-                            phi_3036_ = _e1410;
-                            break if !(_e1422);
+                            phi_2885_ = _e1412;
+                            phi_988_ = _e1414;
+                            phi_991_ = _e1416;
+                            phi_993_ = _e1418;
+                            phi_995_ = _e1420;
+                            phi_997_ = _e1422;
+                            phi_3040_ = _e1412;
+                            break if !(_e1424);
                         }
                     }
-                    let _e1425 = phi_3036_;
-                    if _e1425 {
+                    let _e1427 = phi_3040_;
+                    if _e1427 {
                         break;
                     }
-                    let _e1427 = local_2;
-                    if (_e1427.member.member_3 != 4294967295u) {
-                        let _e1432 = bitcast<u32>(_e1427.member.member);
-                        let _e1436 = (bitcast<i32>((_e1432 >> bitcast<u32>(23i))) & 255i);
-                        let _e1437 = (_e1436 + _e219);
-                        if (_e1436 == 255i) {
-                            phi_2688_ = _e1427.member.member;
+                    let _e1429 = local_2;
+                    if (_e1429.member.member_3 != 4294967295u) {
+                        let _e1434 = bitcast<u32>(_e1429.member.member);
+                        let _e1438 = (bitcast<i32>((_e1434 >> bitcast<u32>(23i))) & 255i);
+                        let _e1439 = (_e1438 + _e219);
+                        if (_e1438 == 255i) {
+                            phi_2692_ = _e1429.member.member;
                         } else {
-                            if (_e1436 > 0i) {
-                                if (_e1437 > 0i) {
-                                    let _e1441 = (_e1437 < 255i);
-                                    if _e1441 {
-                                        phi_2667_ = bitcast<f32>((_e1432 + bitcast<u32>((_e219 << bitcast<u32>(23i)))));
+                            if (_e1438 > 0i) {
+                                if (_e1439 > 0i) {
+                                    let _e1443 = (_e1439 < 255i);
+                                    if _e1443 {
+                                        phi_2671_ = bitcast<f32>((_e1434 + bitcast<u32>((_e219 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_2667_ = f32();
+                                        phi_2671_ = f32();
                                     }
-                                    let _e1448 = phi_2667_;
-                                    phi_2669_ = _e1448;
-                                    phi_2670_ = select(true, false, _e1441);
+                                    let _e1450 = phi_2671_;
+                                    phi_2673_ = _e1450;
+                                    phi_2674_ = select(true, false, _e1443);
                                 } else {
-                                    phi_2669_ = f32();
-                                    phi_2670_ = true;
+                                    phi_2673_ = f32();
+                                    phi_2674_ = true;
                                 }
-                                let _e1451 = phi_2669_;
-                                let _e1453 = phi_2670_;
-                                phi_2671_ = _e1451;
-                                phi_2672_ = _e1453;
+                                let _e1453 = phi_2673_;
+                                let _e1455 = phi_2674_;
+                                phi_2675_ = _e1453;
+                                phi_2676_ = _e1455;
                             } else {
-                                phi_2671_ = f32();
-                                phi_2672_ = true;
+                                phi_2675_ = f32();
+                                phi_2676_ = true;
                             }
-                            let _e1455 = phi_2671_;
-                            let _e1457 = phi_2672_;
-                            if _e1457 {
-                                let _e1458 = (_e1432 & 2147483648u);
-                                let _e1465 = ((_e1432 & 8388607u) | (select(0u, 1u, ((_e1432 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1469 = (_e1465 == 0u);
-                                if _e1469 {
-                                    phi_2870_ = bitcast<f32>(_e1458);
+                            let _e1457 = phi_2675_;
+                            let _e1459 = phi_2676_;
+                            if _e1459 {
+                                let _e1460 = (_e1434 & 2147483648u);
+                                let _e1467 = ((_e1434 & 8388607u) | (select(0u, 1u, ((_e1434 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1471 = (_e1467 == 0u);
+                                if _e1471 {
+                                    phi_2874_ = bitcast<f32>(_e1460);
                                 } else {
-                                    let _e1474 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1465)), 32u, _e1469) - 8u);
-                                    let _e1477 = (_e1465 << bitcast<u32>((_e1474 & 31u)));
-                                    let _e1479 = ((_e1437 + select(0i, 1i, (_e1436 == 0i))) - bitcast<i32>(_e1474));
-                                    if (_e1479 >= 255i) {
-                                        phi_2860_ = bitcast<f32>((_e1458 | 2139095040u));
-                                        phi_2861_ = f32();
-                                        phi_2862_ = true;
+                                    let _e1476 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1467)), 32u, _e1471) - 8u);
+                                    let _e1479 = (_e1467 << bitcast<u32>((_e1476 & 31u)));
+                                    let _e1481 = ((_e1439 + select(0i, 1i, (_e1438 == 0i))) - bitcast<i32>(_e1476));
+                                    if (_e1481 >= 255i) {
+                                        phi_2864_ = bitcast<f32>((_e1460 | 2139095040u));
+                                        phi_2865_ = f32();
+                                        phi_2866_ = true;
                                     } else {
-                                        let _e1481 = (_e1479 > 0i);
-                                        if _e1481 {
-                                            phi_2854_ = bitcast<f32>(((_e1458 | (bitcast<u32>(_e1479) << bitcast<u32>(23i))) | (_e1477 & 8388607u)));
-                                            phi_2855_ = f32();
+                                        let _e1483 = (_e1481 > 0i);
+                                        if _e1483 {
+                                            phi_2858_ = bitcast<f32>(((_e1460 | (bitcast<u32>(_e1481) << bitcast<u32>(23i))) | (_e1479 & 8388607u)));
+                                            phi_2859_ = f32();
                                         } else {
-                                            if (_e1479 < -24i) {
-                                                phi_2820_ = 26u;
+                                            if (_e1481 < -24i) {
+                                                phi_2824_ = 26u;
                                             } else {
-                                                phi_2820_ = bitcast<u32>((1i - _e1479));
+                                                phi_2824_ = bitcast<u32>((1i - _e1481));
                                             }
-                                            let _e1486 = phi_2820_;
-                                            let _e1487 = (_e1486 & 31u);
-                                            let _e1489 = (_e1477 >> bitcast<u32>(_e1487));
-                                            let _e1493 = (_e1477 & ((1u << bitcast<u32>(_e1487)) - 1u));
-                                            let _e1497 = (1u << bitcast<u32>(((_e1486 - 1u) & 31u)));
-                                            if (_e1493 > _e1497) {
-                                                phi_2841_ = true;
+                                            let _e1488 = phi_2824_;
+                                            let _e1489 = (_e1488 & 31u);
+                                            let _e1491 = (_e1479 >> bitcast<u32>(_e1489));
+                                            let _e1495 = (_e1479 & ((1u << bitcast<u32>(_e1489)) - 1u));
+                                            let _e1499 = (1u << bitcast<u32>(((_e1488 - 1u) & 31u)));
+                                            if (_e1495 > _e1499) {
+                                                phi_2845_ = true;
                                             } else {
-                                                if (_e1493 == _e1497) {
-                                                    phi_2838_ = ((_e1489 & 1u) == 1u);
+                                                if (_e1495 == _e1499) {
+                                                    phi_2842_ = ((_e1491 & 1u) == 1u);
                                                 } else {
-                                                    phi_2838_ = false;
+                                                    phi_2842_ = false;
                                                 }
-                                                let _e1503 = phi_2838_;
-                                                phi_2841_ = _e1503;
+                                                let _e1505 = phi_2842_;
+                                                phi_2845_ = _e1505;
                                             }
-                                            let _e1505 = phi_2841_;
-                                            phi_2854_ = f32();
-                                            phi_2855_ = bitcast<f32>((_e1458 | (_e1489 + select(0u, 1u, _e1505))));
+                                            let _e1507 = phi_2845_;
+                                            phi_2858_ = f32();
+                                            phi_2859_ = bitcast<f32>((_e1460 | (_e1491 + select(0u, 1u, _e1507))));
                                         }
-                                        let _e1518 = phi_2854_;
-                                        let _e1520 = phi_2855_;
-                                        phi_2860_ = _e1518;
-                                        phi_2861_ = _e1520;
-                                        phi_2862_ = _e1481;
+                                        let _e1520 = phi_2858_;
+                                        let _e1522 = phi_2859_;
+                                        phi_2864_ = _e1520;
+                                        phi_2865_ = _e1522;
+                                        phi_2866_ = _e1483;
                                     }
-                                    let _e1524 = phi_2860_;
-                                    let _e1526 = phi_2861_;
-                                    let _e1528 = phi_2862_;
-                                    phi_2870_ = select(_e1526, _e1524, _e1528);
+                                    let _e1526 = phi_2864_;
+                                    let _e1528 = phi_2865_;
+                                    let _e1530 = phi_2866_;
+                                    phi_2874_ = select(_e1528, _e1526, _e1530);
                                 }
-                                let _e1532 = phi_2870_;
-                                phi_2687_ = _e1532;
+                                let _e1534 = phi_2874_;
+                                phi_2691_ = _e1534;
                             } else {
-                                phi_2687_ = _e1455;
+                                phi_2691_ = _e1457;
                             }
-                            let _e1534 = phi_2687_;
-                            phi_2688_ = _e1534;
+                            let _e1536 = phi_2691_;
+                            phi_2692_ = _e1536;
                         }
-                        let _e1536 = phi_2688_;
-                        let _e1537 = bitcast<u32>(_e1536);
-                        if ((_e1537 & 2147483647u) >= 2139095040u) {
-                            phi_2700_ = bitcast<f32>(((_e1537 & 2147483648u) | 2139095039u));
+                        let _e1538 = phi_2692_;
+                        let _e1539 = bitcast<u32>(_e1538);
+                        if ((_e1539 & 2147483647u) >= 2139095040u) {
+                            phi_2704_ = bitcast<f32>(((_e1539 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_2700_ = _e1536;
+                            phi_2704_ = _e1538;
                         }
-                        let _e1544 = phi_2700_;
-                        phi_2705_ = type_22(_e1544, _e1427.member.member_1, _e1427.member.member_2, _e1427.member.member_3);
+                        let _e1546 = phi_2704_;
+                        phi_2709_ = type_22(_e1546, _e1429.member.member_1, _e1429.member.member_2, _e1429.member.member_3);
                     } else {
-                        phi_2705_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2709_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1549 = phi_2705_;
+                    let _e1551 = phi_2709_;
                     if _e96 {
                     } else {
                         break;
                     }
-                    global_4.member[_e88] = _e1549;
+                    global_4.member[_e88] = _e1551;
                     if _e89 {
                     } else {
                         break;
                     }
-                    let _e1553 = select(0u, 1u, (_e163 <= _e173));
-                    if (_e1553 > 0u) {
-                        let _e1555 = (1u < _e84);
-                        if _e1555 {
+                    let _e1555 = select(0u, 1u, (_e163 <= _e173));
+                    if (_e1555 > 0u) {
+                        let _e1557 = (1u < _e84);
+                        if _e1557 {
                             if (0u < _e84) {
                             } else {
                                 break;
                             }
-                            let _e1559 = atomicAdd((&global_5.member[0u]), _e1553);
-                            if ((_e1559 + _e1553) < _e1559) {
-                                if _e1555 {
+                            let _e1561 = atomicAdd((&global_5.member[0u]), _e1555);
+                            if ((_e1561 + _e1555) < _e1561) {
+                                if _e1557 {
                                 } else {
                                     break;
                                 }
-                                let _e1564 = atomicAdd((&global_5.member[1u]), 1u);
+                                let _e1566 = atomicAdd((&global_5.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1567 = select(0u, 1u, (_e1549.member_3 != 4294967295u));
-                    if (_e1567 > 0u) {
-                        let _e1569 = (3u < _e84);
-                        if _e1569 {
+                    let _e1569 = select(0u, 1u, (_e1551.member_3 != 4294967295u));
+                    if (_e1569 > 0u) {
+                        let _e1571 = (3u < _e84);
+                        if _e1571 {
                             if (2u < _e84) {
                             } else {
                                 break;
                             }
-                            let _e1573 = atomicAdd((&global_5.member[2u]), _e1567);
-                            if ((_e1573 + _e1567) < _e1573) {
-                                if _e1569 {
+                            let _e1575 = atomicAdd((&global_5.member[2u]), _e1569);
+                            if ((_e1575 + _e1569) < _e1575) {
+                                if _e1571 {
                                 } else {
                                     break;
                                 }
-                                let _e1578 = atomicAdd((&global_5.member[3u]), 1u);
+                                let _e1580 = atomicAdd((&global_5.member[3u]), 1u);
                             }
                         }
                     }

@@ -130,27 +130,16 @@ fn function_() {
     var phi_959_: u32;
     var phi_967_: f32;
     var phi_968_: f32;
-    var phi_2931_: bool;
+    var phi_2937_: bool;
     var phi_992_: type_48;
-    var phi_995_: bool;
-    var phi_997_: u32;
+    var phi_995_: u32;
+    var phi_997_: bool;
     var phi_999_: u32;
     var phi_1001_: u32;
     var phi_1012_: bool;
     var phi_1044_: bool;
     var phi_1045_: u32;
     var phi_1046_: u32;
-    var phi_2207_: type_47;
-    var phi_2572_: u32;
-    var phi_2600_: u32;
-    var phi_2601_: u32;
-    var phi_2602_: u32;
-    var phi_2604_: u32;
-    var phi_2605_: u32;
-    var phi_2606_: bool;
-    var phi_2615_: u32;
-    var phi_2620_: bool;
-    var phi_2622_: u32;
     var phi_1061_: type_48;
     var phi_1064_: type_7;
     var phi_1065_: type_7;
@@ -198,51 +187,64 @@ fn function_() {
     var phi_2136_: type_48;
     var phi_2137_: type_48;
     var phi_1062_: type_48;
-    var phi_2925_: bool;
-    var phi_3089_: bool;
-    var phi_2627_: type_48;
-    var phi_2628_: bool;
-    var phi_2629_: u32;
-    var phi_2630_: u32;
-    var phi_3088_: bool;
-    var phi_2631_: type_48;
-    var phi_2632_: bool;
-    var phi_2633_: u32;
-    var phi_2634_: u32;
-    var phi_2635_: u32;
-    var phi_3087_: bool;
-    var phi_2636_: type_48;
-    var phi_2637_: bool;
+    var phi_2931_: bool;
+    var phi_3126_: bool;
+    var phi_2138_: type_48;
+    var phi_2203_: type_47;
+    var phi_2568_: u32;
+    var phi_2595_: u32;
+    var phi_2596_: u32;
+    var phi_2597_: u32;
+    var phi_2599_: u32;
+    var phi_2600_: u32;
+    var phi_2601_: bool;
+    var phi_2610_: u32;
+    var phi_2615_: bool;
+    var phi_2617_: u32;
+    var phi_2622_: type_48;
+    var phi_2623_: bool;
+    var phi_2624_: u32;
+    var phi_2625_: u32;
+    var phi_2633_: type_48;
+    var phi_3094_: bool;
+    var phi_2637_: type_48;
     var phi_2638_: u32;
-    var phi_2639_: u32;
+    var phi_2639_: bool;
     var phi_2640_: u32;
-    var phi_3086_: bool;
+    var phi_2641_: u32;
+    var phi_3093_: bool;
+    var phi_2642_: type_48;
+    var phi_2643_: u32;
+    var phi_2644_: bool;
+    var phi_2645_: u32;
+    var phi_2646_: u32;
+    var phi_3092_: bool;
     var phi_993_: type_48;
-    var phi_996_: bool;
-    var phi_998_: u32;
+    var phi_996_: u32;
+    var phi_998_: bool;
     var phi_1000_: u32;
     var phi_1002_: u32;
-    var phi_2641_: bool;
-    var phi_3085_: bool;
+    var phi_2647_: bool;
+    var phi_3091_: bool;
     var local_2: type_48;
-    var phi_2679_: f32;
-    var phi_2681_: f32;
-    var phi_2682_: bool;
-    var phi_2683_: f32;
-    var phi_2684_: bool;
-    var phi_2870_: u32;
-    var phi_2888_: bool;
-    var phi_2891_: bool;
-    var phi_2904_: f32;
-    var phi_2905_: f32;
+    var phi_2685_: f32;
+    var phi_2687_: f32;
+    var phi_2688_: bool;
+    var phi_2689_: f32;
+    var phi_2690_: bool;
+    var phi_2876_: u32;
+    var phi_2894_: bool;
+    var phi_2897_: bool;
     var phi_2910_: f32;
     var phi_2911_: f32;
-    var phi_2912_: bool;
-    var phi_2920_: f32;
-    var phi_2699_: f32;
-    var phi_2700_: f32;
-    var phi_2712_: f32;
-    var phi_2717_: type_22;
+    var phi_2916_: f32;
+    var phi_2917_: f32;
+    var phi_2918_: bool;
+    var phi_2926_: f32;
+    var phi_2705_: f32;
+    var phi_2706_: f32;
+    var phi_2718_: f32;
+    var phi_2723_: type_22;
     var local_3: type_48;
     var local_4: type_48;
 
@@ -553,14 +555,14 @@ fn function_() {
                         let _e554 = global_3.member[_e91].member_2;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2931_ = false;
+                        phi_2937_ = false;
                         phi_992_ = type_48(type_43(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e546), 0u, 0u);
-                        phi_995_ = (_e548 <= _e546);
-                        phi_997_ = ((3u * _e77) + 1u);
+                        phi_995_ = ((3u * _e77) + 1u);
+                        phi_997_ = (_e548 <= _e546);
                         phi_999_ = 0u;
                         phi_1001_ = select(0u, 2147483648u, (_e77 == 0u));
                         loop {
-                            let _e561 = phi_2931_;
+                            let _e561 = phi_2937_;
                             let _e563 = phi_992_;
                             let _e565 = phi_995_;
                             let _e567 = phi_997_;
@@ -568,17 +570,17 @@ fn function_() {
                             let _e571 = phi_1001_;
                             local_2 = _e563;
                             local_3 = _e563;
-                            if _e565 {
+                            if _e567 {
                                 phi_1012_ = true;
                             } else {
                                 phi_1012_ = (_e569 > 0u);
                             }
                             let _e574 = phi_1012_;
                             if _e574 {
-                                let _e575 = (_e567 > 0u);
+                                let _e575 = (_e565 > 0u);
                                 if _e575 {
-                                    if _e565 {
-                                        phi_1044_ = _e565;
+                                    if _e567 {
+                                        phi_1044_ = _e567;
                                         phi_1045_ = _e569;
                                         phi_1046_ = _e571;
                                     } else {
@@ -587,13 +589,13 @@ fn function_() {
                                         let _e578 = (_e577 < 128u);
                                         if _e578 {
                                         } else {
-                                            phi_3085_ = true;
+                                            phi_3091_ = true;
                                             break;
                                         }
                                         let _e580 = local_1[_e577];
                                         if _e578 {
                                         } else {
-                                            phi_3085_ = true;
+                                            phi_3091_ = true;
                                             break;
                                         }
                                         let _e582 = local[_e577];
@@ -605,854 +607,867 @@ fn function_() {
                                     let _e589 = phi_1045_;
                                     let _e591 = phi_1046_;
                                     if _e587 {
-                                        if ((_e591 & 2147483648u) != 0u) {
+                                        let _e594 = ((_e591 & 2147483648u) != 0u);
+                                        if _e594 {
                                             phi_1061_ = _e563;
                                             phi_1064_ = type_7(0u, ((_e591 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e796 = phi_1061_;
-                                                let _e798 = phi_1064_;
-                                                local_4 = _e796;
-                                                if (_e798.member < _e798.member_1) {
-                                                    phi_1065_ = type_7((_e798.member + 1u), _e798.member_1);
-                                                    phi_1087_ = type_7(1u, _e798.member);
+                                                let _e601 = phi_1061_;
+                                                let _e603 = phi_1064_;
+                                                local_4 = _e601;
+                                                if (_e603.member < _e603.member_1) {
+                                                    phi_1065_ = type_7((_e603.member + 1u), _e603.member_1);
+                                                    phi_1087_ = type_7(1u, _e603.member);
                                                 } else {
-                                                    phi_1065_ = _e798;
+                                                    phi_1065_ = _e603;
                                                     phi_1087_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e811 = phi_1065_;
-                                                let _e813 = phi_1087_;
-                                                let _e817 = (bitcast<i32>(_e813.member) != 0i);
-                                                if _e817 {
-                                                    let _e823 = type_48(_e796.member, _e796.member_1, (_e796.member_2 + 1u));
-                                                    let _e824 = ((_e591 & 268435455u) + _e813.member_1);
-                                                    let _e825 = (_e824 < _e79);
-                                                    if _e825 {
-                                                        if _e825 {
+                                                let _e616 = phi_1065_;
+                                                let _e618 = phi_1087_;
+                                                let _e622 = (bitcast<i32>(_e618.member) != 0i);
+                                                if _e622 {
+                                                    let _e628 = type_48(_e601.member, _e601.member_1, (_e601.member_2 + 1u));
+                                                    let _e629 = ((_e591 & 268435455u) + _e618.member_1);
+                                                    let _e630 = (_e629 < _e79);
+                                                    if _e630 {
+                                                        if _e630 {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e829 = global_1.member[_e824].member_1;
-                                                        phi_1111_ = _e829;
+                                                        let _e634 = global_1.member[_e629].member_1;
+                                                        phi_1111_ = _e634;
                                                     } else {
                                                         phi_1111_ = 4294967295u;
                                                     }
-                                                    let _e831 = phi_1111_;
-                                                    if (_e824 >= _e79) {
+                                                    let _e636 = phi_1111_;
+                                                    if (_e629 >= _e79) {
                                                         phi_1203_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e825 {
+                                                        if _e630 {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e833 = (_e215 % 3u);
-                                                        let _e834 = (_e214 % 3u);
-                                                        let _e835 = (_e216 % 3u);
-                                                        if (_e833 < 9u) {
+                                                        let _e638 = (_e215 % 3u);
+                                                        let _e639 = (_e214 % 3u);
+                                                        let _e640 = (_e216 % 3u);
+                                                        if (_e638 < 9u) {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e841 = global_1.member[_e824].member[_e833];
-                                                        if (_e834 < 9u) {
+                                                        let _e646 = global_1.member[_e629].member[_e638];
+                                                        if (_e639 < 9u) {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e847 = global_1.member[_e824].member[_e834];
-                                                        if (_e835 < 9u) {
+                                                        let _e652 = global_1.member[_e629].member[_e639];
+                                                        if (_e640 < 9u) {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e853 = global_1.member[_e824].member[_e835];
-                                                        let _e855 = (3u + _e833);
-                                                        if (_e855 < 9u) {
+                                                        let _e658 = global_1.member[_e629].member[_e640];
+                                                        let _e660 = (3u + _e638);
+                                                        if (_e660 < 9u) {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e861 = global_1.member[_e824].member[_e855];
-                                                        let _e862 = (3u + _e834);
-                                                        if (_e862 < 9u) {
+                                                        let _e666 = global_1.member[_e629].member[_e660];
+                                                        let _e667 = (3u + _e639);
+                                                        if (_e667 < 9u) {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e868 = global_1.member[_e824].member[_e862];
-                                                        let _e869 = (3u + _e835);
-                                                        if (_e869 < 9u) {
+                                                        let _e673 = global_1.member[_e629].member[_e667];
+                                                        let _e674 = (3u + _e640);
+                                                        if (_e674 < 9u) {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e875 = global_1.member[_e824].member[_e869];
-                                                        let _e877 = (6u + _e833);
-                                                        if (_e877 < 9u) {
+                                                        let _e680 = global_1.member[_e629].member[_e674];
+                                                        let _e682 = (6u + _e638);
+                                                        if (_e682 < 9u) {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e883 = global_1.member[_e824].member[_e877];
-                                                        let _e884 = (6u + _e834);
-                                                        if (_e884 < 9u) {
+                                                        let _e688 = global_1.member[_e629].member[_e682];
+                                                        let _e689 = (6u + _e639);
+                                                        if (_e689 < 9u) {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e890 = global_1.member[_e824].member[_e884];
-                                                        let _e891 = (6u + _e835);
-                                                        if (_e891 < 9u) {
+                                                        let _e695 = global_1.member[_e629].member[_e689];
+                                                        let _e696 = (6u + _e640);
+                                                        if (_e696 < 9u) {
                                                         } else {
-                                                            phi_2925_ = true;
+                                                            phi_2931_ = true;
                                                             break;
                                                         }
-                                                        let _e897 = global_1.member[_e824].member[_e891];
-                                                        phi_1203_ = array<array<f32, 3>, 3>(array<f32, 3>(_e841, _e847, _e853), array<f32, 3>(_e861, _e868, _e875), array<f32, 3>(_e883, _e890, _e897));
+                                                        let _e702 = global_1.member[_e629].member[_e696];
+                                                        phi_1203_ = array<array<f32, 3>, 3>(array<f32, 3>(_e646, _e652, _e658), array<f32, 3>(_e666, _e673, _e680), array<f32, 3>(_e688, _e695, _e702));
                                                     }
-                                                    let _e901 = phi_1203_;
-                                                    let _e910 = (_e901[0][2] - _e395);
-                                                    let _e913 = (((_e901[0][0] - _e262) * _e434) - (_e910 * _e302));
-                                                    let _e916 = (((_e901[0][1] - _e329) * _e434) - (_e910 * _e368));
-                                                    let _e923 = (_e901[1][2] - _e395);
-                                                    let _e926 = (((_e901[1][0] - _e262) * _e434) - (_e923 * _e302));
-                                                    let _e929 = (((_e901[1][1] - _e329) * _e434) - (_e923 * _e368));
-                                                    let _e936 = (_e901[2][2] - _e395);
-                                                    let _e939 = (((_e901[2][0] - _e262) * _e434) - (_e936 * _e302));
-                                                    let _e942 = (((_e901[2][1] - _e329) * _e434) - (_e936 * _e368));
-                                                    let _e943 = (_e939 * _e929);
-                                                    let _e944 = (_e942 * _e926);
-                                                    let _e945 = (_e913 * _e942);
-                                                    let _e946 = (_e916 * _e939);
-                                                    let _e947 = (_e926 * _e916);
-                                                    let _e948 = (_e929 * _e913);
-                                                    let _e953 = (((_e943 >= _e944) && (_e945 >= _e946)) && (_e947 >= _e948));
-                                                    if (_e953 || (((_e943 <= _e944) && (_e945 <= _e946)) && (_e947 <= _e948))) {
-                                                        let _e960 = select(-1f, 1f, _e953);
-                                                        let _e962 = ((_e943 - _e944) * _e960);
-                                                        let _e964 = select(0f, _e962, (_e962 > 0f));
-                                                        let _e966 = ((_e945 - _e946) * _e960);
-                                                        let _e968 = select(0f, _e966, (_e966 > 0f));
-                                                        let _e970 = ((_e947 - _e948) * _e960);
-                                                        let _e972 = select(0f, _e970, (_e970 > 0f));
-                                                        let _e974 = ((_e964 + _e968) + _e972);
-                                                        if (_e974 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e706 = phi_1203_;
+                                                    let _e715 = (_e706[0][2] - _e395);
+                                                    let _e718 = (((_e706[0][0] - _e262) * _e434) - (_e715 * _e302));
+                                                    let _e721 = (((_e706[0][1] - _e329) * _e434) - (_e715 * _e368));
+                                                    let _e728 = (_e706[1][2] - _e395);
+                                                    let _e731 = (((_e706[1][0] - _e262) * _e434) - (_e728 * _e302));
+                                                    let _e734 = (((_e706[1][1] - _e329) * _e434) - (_e728 * _e368));
+                                                    let _e741 = (_e706[2][2] - _e395);
+                                                    let _e744 = (((_e706[2][0] - _e262) * _e434) - (_e741 * _e302));
+                                                    let _e747 = (((_e706[2][1] - _e329) * _e434) - (_e741 * _e368));
+                                                    let _e748 = (_e744 * _e734);
+                                                    let _e749 = (_e747 * _e731);
+                                                    let _e750 = (_e718 * _e747);
+                                                    let _e751 = (_e721 * _e744);
+                                                    let _e752 = (_e731 * _e721);
+                                                    let _e753 = (_e734 * _e718);
+                                                    let _e758 = (((_e748 >= _e749) && (_e750 >= _e751)) && (_e752 >= _e753));
+                                                    if (_e758 || (((_e748 <= _e749) && (_e750 <= _e751)) && (_e752 <= _e753))) {
+                                                        let _e765 = select(-1f, 1f, _e758);
+                                                        let _e767 = ((_e748 - _e749) * _e765);
+                                                        let _e769 = select(0f, _e767, (_e767 > 0f));
+                                                        let _e771 = ((_e750 - _e751) * _e765);
+                                                        let _e773 = select(0f, _e771, (_e771 > 0f));
+                                                        let _e775 = ((_e752 - _e753) * _e765);
+                                                        let _e777 = select(0f, _e775, (_e775 > 0f));
+                                                        let _e779 = ((_e769 + _e773) + _e777);
+                                                        if (_e779 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2087_ = type_22();
                                                             phi_2088_ = true;
                                                             phi_2089_ = false;
                                                         } else {
-                                                            let _e977 = select(_e926, _e913, (_e913 < _e926));
-                                                            if (select(_e939, _e977, (_e977 < _e939)) > 0f) {
+                                                            let _e782 = select(_e731, _e718, (_e718 < _e731));
+                                                            if (select(_e744, _e782, (_e782 < _e744)) > 0f) {
                                                                 phi_1355_ = true;
                                                             } else {
-                                                                let _e982 = select(_e926, _e913, (_e913 > _e926));
-                                                                phi_1355_ = (select(_e939, _e982, (_e982 > _e939)) < 0f);
+                                                                let _e787 = select(_e731, _e718, (_e718 > _e731));
+                                                                phi_1355_ = (select(_e744, _e787, (_e787 > _e744)) < 0f);
                                                             }
-                                                            let _e987 = phi_1355_;
-                                                            if _e987 {
+                                                            let _e792 = phi_1355_;
+                                                            if _e792 {
                                                                 phi_2084_ = type_22();
                                                                 phi_2085_ = true;
                                                                 phi_2086_ = false;
                                                             } else {
-                                                                let _e989 = select(_e929, _e916, (_e916 < _e929));
-                                                                if (select(_e942, _e989, (_e989 < _e942)) > 0f) {
+                                                                let _e794 = select(_e734, _e721, (_e721 < _e734));
+                                                                if (select(_e747, _e794, (_e794 < _e747)) > 0f) {
                                                                     phi_1384_ = true;
                                                                 } else {
-                                                                    let _e994 = select(_e929, _e916, (_e916 > _e929));
-                                                                    phi_1384_ = (select(_e942, _e994, (_e994 > _e942)) < 0f);
+                                                                    let _e799 = select(_e734, _e721, (_e721 > _e734));
+                                                                    phi_1384_ = (select(_e747, _e799, (_e799 > _e747)) < 0f);
                                                                 }
-                                                                let _e999 = phi_1384_;
-                                                                if _e999 {
+                                                                let _e804 = phi_1384_;
+                                                                if _e804 {
                                                                     phi_2082_ = type_22();
                                                                     phi_2083_ = false;
                                                                 } else {
-                                                                    let _e1001 = select(_e901[1][0], _e901[0][0], (_e901[0][0] < _e901[1][0]));
-                                                                    let _e1005 = select(_e901[1][0], _e901[0][0], (_e901[0][0] > _e901[1][0]));
-                                                                    let _e1009 = select(_e901[1][1], _e901[0][1], (_e901[0][1] < _e901[1][1]));
-                                                                    let _e1013 = select(_e901[1][1], _e901[0][1], (_e901[0][1] > _e901[1][1]));
-                                                                    let _e1017 = select(_e901[1][2], _e901[0][2], (_e901[0][2] < _e901[1][2]));
-                                                                    let _e1021 = select(_e901[1][2], _e901[0][2], (_e901[0][2] > _e901[1][2]));
-                                                                    let _e1026 = ((select(_e901[2][0], _e1001, (_e1001 < _e901[2][0])) - _e300) * _e305);
-                                                                    let _e1027 = ((select(_e901[2][0], _e1005, (_e1005 > _e901[2][0])) - _e301) * _e305);
-                                                                    let _e1030 = ((select(_e901[2][1], _e1009, (_e1009 < _e901[2][1])) - _e366) * _e371);
-                                                                    let _e1031 = ((select(_e901[2][1], _e1013, (_e1013 > _e901[2][1])) - _e367) * _e371);
-                                                                    let _e1034 = ((select(_e901[2][2], _e1017, (_e1017 < _e901[2][2])) - _e432) * _e437);
-                                                                    let _e1035 = ((select(_e901[2][2], _e1021, (_e1021 > _e901[2][2])) - _e433) * _e437);
-                                                                    let _e1037 = select(_e1035, _e1034, (_e1034 < _e1035));
-                                                                    let _e1039 = select(_e1035, _e1034, (_e1034 > _e1035));
-                                                                    let _e1041 = select(_e1027, _e1026, (_e1026 < _e1027));
-                                                                    let _e1043 = select(_e1031, _e1030, (_e1030 < _e1031));
-                                                                    let _e1045 = select(_e1043, _e1041, (_e1041 > _e1043));
-                                                                    let _e1047 = select(_e1037, _e1045, (_e1045 > _e1037));
-                                                                    let _e1049 = select(_e1027, _e1026, (_e1026 > _e1027));
-                                                                    let _e1051 = select(_e1031, _e1030, (_e1030 > _e1031));
-                                                                    let _e1053 = select(_e1051, _e1049, (_e1049 < _e1051));
-                                                                    let _e1055 = select(_e1039, _e1053, (_e1053 < _e1039));
-                                                                    let _e1056 = -(_e1037);
-                                                                    let _e1062 = select(_e548, _e1047, (_e1047 > _e548));
-                                                                    if (_e1062 > (_e1055 + (select(_e1056, _e1039, (_e1039 > _e1056)) * 0.0000019073523f))) {
+                                                                    let _e806 = select(_e706[1][0], _e706[0][0], (_e706[0][0] < _e706[1][0]));
+                                                                    let _e810 = select(_e706[1][0], _e706[0][0], (_e706[0][0] > _e706[1][0]));
+                                                                    let _e814 = select(_e706[1][1], _e706[0][1], (_e706[0][1] < _e706[1][1]));
+                                                                    let _e818 = select(_e706[1][1], _e706[0][1], (_e706[0][1] > _e706[1][1]));
+                                                                    let _e822 = select(_e706[1][2], _e706[0][2], (_e706[0][2] < _e706[1][2]));
+                                                                    let _e826 = select(_e706[1][2], _e706[0][2], (_e706[0][2] > _e706[1][2]));
+                                                                    let _e831 = ((select(_e706[2][0], _e806, (_e806 < _e706[2][0])) - _e300) * _e305);
+                                                                    let _e832 = ((select(_e706[2][0], _e810, (_e810 > _e706[2][0])) - _e301) * _e305);
+                                                                    let _e835 = ((select(_e706[2][1], _e814, (_e814 < _e706[2][1])) - _e366) * _e371);
+                                                                    let _e836 = ((select(_e706[2][1], _e818, (_e818 > _e706[2][1])) - _e367) * _e371);
+                                                                    let _e839 = ((select(_e706[2][2], _e822, (_e822 < _e706[2][2])) - _e432) * _e437);
+                                                                    let _e840 = ((select(_e706[2][2], _e826, (_e826 > _e706[2][2])) - _e433) * _e437);
+                                                                    let _e842 = select(_e840, _e839, (_e839 < _e840));
+                                                                    let _e844 = select(_e840, _e839, (_e839 > _e840));
+                                                                    let _e846 = select(_e832, _e831, (_e831 < _e832));
+                                                                    let _e848 = select(_e836, _e835, (_e835 < _e836));
+                                                                    let _e850 = select(_e848, _e846, (_e846 > _e848));
+                                                                    let _e852 = select(_e842, _e850, (_e850 > _e842));
+                                                                    let _e854 = select(_e832, _e831, (_e831 > _e832));
+                                                                    let _e856 = select(_e836, _e835, (_e835 > _e836));
+                                                                    let _e858 = select(_e856, _e854, (_e854 < _e856));
+                                                                    let _e860 = select(_e844, _e858, (_e858 < _e844));
+                                                                    let _e861 = -(_e842);
+                                                                    let _e867 = select(_e548, _e852, (_e852 > _e548));
+                                                                    if (_e867 > (_e860 + (select(_e861, _e844, (_e844 > _e861)) * 0.0000019073523f))) {
                                                                         phi_2077_ = type_22();
                                                                         phi_2078_ = true;
                                                                     } else {
-                                                                        let _e1064 = (_e1062 > _e796.member.member_1);
-                                                                        if _e1064 {
+                                                                        let _e869 = (_e867 > _e601.member.member_1);
+                                                                        if _e869 {
                                                                             phi_2076_ = type_22();
                                                                         } else {
-                                                                            let _e1065 = vec3<f32>(_e901[0][0], _e901[0][1], _e901[0][2]);
-                                                                            let _e1066 = vec3<f32>(_e901[1][0], _e901[1][1], _e901[1][2]);
-                                                                            let _e1067 = vec3<f32>(_e901[2][0], _e901[2][1], _e901[2][2]);
-                                                                            let _e1068 = (_e901[1][0] - _e901[0][0]);
-                                                                            let _e1069 = (_e901[1][1] - _e901[0][1]);
-                                                                            let _e1070 = (_e901[1][2] - _e901[0][2]);
-                                                                            let _e1071 = vec3<f32>(_e1068, _e1069, _e1070);
-                                                                            let _e1072 = (_e901[2][0] - _e901[1][0]);
-                                                                            let _e1073 = (_e901[2][1] - _e901[1][1]);
-                                                                            let _e1074 = (_e901[2][2] - _e901[1][2]);
-                                                                            let _e1075 = vec3<f32>(_e1072, _e1073, _e1074);
-                                                                            let _e1076 = (_e901[0][0] - _e901[2][0]);
-                                                                            let _e1077 = (_e901[0][1] - _e901[2][1]);
-                                                                            let _e1078 = (_e901[0][2] - _e901[2][2]);
-                                                                            let _e1079 = vec3<f32>(_e1076, _e1077, _e1078);
-                                                                            let _e1082 = bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u));
-                                                                            let _e1085 = bitcast<f32>((bitcast<u32>(_e1069) & 2147483647u));
-                                                                            let _e1087 = select(_e1085, _e1082, (_e1082 > _e1085));
-                                                                            let _e1090 = bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u));
-                                                                            let _e1092 = select(_e1090, _e1087, (_e1087 > _e1090));
-                                                                            let _e1095 = bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u));
-                                                                            let _e1098 = bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u));
-                                                                            let _e1100 = select(_e1098, _e1095, (_e1095 > _e1098));
-                                                                            let _e1103 = bitcast<f32>((bitcast<u32>(_e1074) & 2147483647u));
-                                                                            let _e1105 = select(_e1103, _e1100, (_e1100 > _e1103));
-                                                                            let _e1108 = bitcast<f32>((bitcast<u32>(_e1076) & 2147483647u));
-                                                                            let _e1111 = bitcast<f32>((bitcast<u32>(_e1077) & 2147483647u));
-                                                                            let _e1113 = select(_e1111, _e1108, (_e1108 > _e1111));
-                                                                            let _e1116 = bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u));
-                                                                            let _e1118 = select(_e1116, _e1113, (_e1113 > _e1116));
-                                                                            let _e1120 = select(_e1105, _e1092, (_e1092 > _e1105));
-                                                                            let _e1122 = select(_e1118, _e1120, (_e1120 > _e1118));
-                                                                            if (_e1092 == _e1122) {
-                                                                                phi_1803_ = _e929;
-                                                                                phi_1804_ = _e926;
-                                                                                phi_1805_ = _e916;
-                                                                                phi_1806_ = _e913;
-                                                                                phi_1807_ = _e1065;
-                                                                                phi_1808_ = _e1079;
-                                                                                phi_1809_ = _e1075;
-                                                                                phi_1810_ = _e1071;
+                                                                            let _e870 = vec3<f32>(_e706[0][0], _e706[0][1], _e706[0][2]);
+                                                                            let _e871 = vec3<f32>(_e706[1][0], _e706[1][1], _e706[1][2]);
+                                                                            let _e872 = vec3<f32>(_e706[2][0], _e706[2][1], _e706[2][2]);
+                                                                            let _e873 = (_e706[1][0] - _e706[0][0]);
+                                                                            let _e874 = (_e706[1][1] - _e706[0][1]);
+                                                                            let _e875 = (_e706[1][2] - _e706[0][2]);
+                                                                            let _e876 = vec3<f32>(_e873, _e874, _e875);
+                                                                            let _e877 = (_e706[2][0] - _e706[1][0]);
+                                                                            let _e878 = (_e706[2][1] - _e706[1][1]);
+                                                                            let _e879 = (_e706[2][2] - _e706[1][2]);
+                                                                            let _e880 = vec3<f32>(_e877, _e878, _e879);
+                                                                            let _e881 = (_e706[0][0] - _e706[2][0]);
+                                                                            let _e882 = (_e706[0][1] - _e706[2][1]);
+                                                                            let _e883 = (_e706[0][2] - _e706[2][2]);
+                                                                            let _e884 = vec3<f32>(_e881, _e882, _e883);
+                                                                            let _e887 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
+                                                                            let _e890 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
+                                                                            let _e892 = select(_e890, _e887, (_e887 > _e890));
+                                                                            let _e895 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
+                                                                            let _e897 = select(_e895, _e892, (_e892 > _e895));
+                                                                            let _e900 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
+                                                                            let _e903 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
+                                                                            let _e905 = select(_e903, _e900, (_e900 > _e903));
+                                                                            let _e908 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
+                                                                            let _e910 = select(_e908, _e905, (_e905 > _e908));
+                                                                            let _e913 = bitcast<f32>((bitcast<u32>(_e881) & 2147483647u));
+                                                                            let _e916 = bitcast<f32>((bitcast<u32>(_e882) & 2147483647u));
+                                                                            let _e918 = select(_e916, _e913, (_e913 > _e916));
+                                                                            let _e921 = bitcast<f32>((bitcast<u32>(_e883) & 2147483647u));
+                                                                            let _e923 = select(_e921, _e918, (_e918 > _e921));
+                                                                            let _e925 = select(_e910, _e897, (_e897 > _e910));
+                                                                            let _e927 = select(_e923, _e925, (_e925 > _e923));
+                                                                            if (_e897 == _e927) {
+                                                                                phi_1803_ = _e734;
+                                                                                phi_1804_ = _e731;
+                                                                                phi_1805_ = _e721;
+                                                                                phi_1806_ = _e718;
+                                                                                phi_1807_ = _e870;
+                                                                                phi_1808_ = _e884;
+                                                                                phi_1809_ = _e880;
+                                                                                phi_1810_ = _e876;
                                                                             } else {
-                                                                                let _e1124 = (_e1105 == _e1122);
-                                                                                let _e1129 = vec3(_e1124);
-                                                                                phi_1803_ = select(_e916, _e942, _e1124);
-                                                                                phi_1804_ = select(_e913, _e939, _e1124);
-                                                                                phi_1805_ = select(_e942, _e929, _e1124);
-                                                                                phi_1806_ = select(_e939, _e926, _e1124);
-                                                                                phi_1807_ = select(_e1067, _e1066, _e1129);
-                                                                                phi_1808_ = select(_e1075, _e1071, _e1129);
-                                                                                phi_1809_ = select(_e1071, _e1079, _e1129);
-                                                                                phi_1810_ = select(_e1079, _e1075, _e1129);
+                                                                                let _e929 = (_e910 == _e927);
+                                                                                let _e934 = vec3(_e929);
+                                                                                phi_1803_ = select(_e721, _e747, _e929);
+                                                                                phi_1804_ = select(_e718, _e744, _e929);
+                                                                                phi_1805_ = select(_e747, _e734, _e929);
+                                                                                phi_1806_ = select(_e744, _e731, _e929);
+                                                                                phi_1807_ = select(_e872, _e871, _e934);
+                                                                                phi_1808_ = select(_e880, _e876, _e934);
+                                                                                phi_1809_ = select(_e876, _e884, _e934);
+                                                                                phi_1810_ = select(_e884, _e880, _e934);
                                                                             }
-                                                                            let _e1135 = phi_1803_;
-                                                                            let _e1137 = phi_1804_;
-                                                                            let _e1139 = phi_1805_;
-                                                                            let _e1141 = phi_1806_;
-                                                                            let _e1143 = phi_1807_;
-                                                                            let _e1145 = phi_1808_;
-                                                                            let _e1147 = phi_1809_;
-                                                                            let _e1149 = phi_1810_;
-                                                                            let _e1156 = ((_e1147.y * _e1145.z) - (_e1145.y * _e1147.z));
-                                                                            let _e1161 = ((_e1147.z * _e1145.x) - (_e1145.z * _e1147.x));
-                                                                            let _e1164 = ((_e1147.x * _e1145.y) - (_e1145.x * _e1147.y));
-                                                                            if (_e964 >= _e968) {
-                                                                                phi_1847_ = select(true, false, (_e964 >= _e972));
+                                                                            let _e940 = phi_1803_;
+                                                                            let _e942 = phi_1804_;
+                                                                            let _e944 = phi_1805_;
+                                                                            let _e946 = phi_1806_;
+                                                                            let _e948 = phi_1807_;
+                                                                            let _e950 = phi_1808_;
+                                                                            let _e952 = phi_1809_;
+                                                                            let _e954 = phi_1810_;
+                                                                            let _e961 = ((_e952.y * _e950.z) - (_e950.y * _e952.z));
+                                                                            let _e966 = ((_e952.z * _e950.x) - (_e950.z * _e952.x));
+                                                                            let _e969 = ((_e952.x * _e950.y) - (_e950.x * _e952.y));
+                                                                            if (_e769 >= _e773) {
+                                                                                phi_1847_ = select(true, false, (_e769 >= _e777));
                                                                             } else {
                                                                                 phi_1847_ = true;
                                                                             }
-                                                                            let _e1169 = phi_1847_;
-                                                                            if _e1169 {
-                                                                                phi_1856_ = select(_e1067, _e1066, vec3((_e968 >= _e972)));
+                                                                            let _e974 = phi_1847_;
+                                                                            if _e974 {
+                                                                                phi_1856_ = select(_e872, _e871, vec3((_e773 >= _e777)));
                                                                             } else {
-                                                                                phi_1856_ = _e1065;
+                                                                                phi_1856_ = _e870;
                                                                             }
-                                                                            let _e1174 = phi_1856_;
-                                                                            let _e1185 = (((_e1156 * (_e1174.x - _e262)) + (_e1161 * (_e1174.y - _e329))) + (_e1164 * (_e1174.z - _e395)));
-                                                                            let _e1190 = (((_e1156 * _e302) + (_e1161 * _e368)) + (_e1164 * _e434));
-                                                                            let _e1191 = (_e1137 - _e1141);
-                                                                            let _e1192 = (_e1135 - _e1139);
-                                                                            let _e1200 = (-(((_e1141 * _e1191) + (_e1139 * _e1192))) / ((_e1191 * _e1191) + (_e1192 * _e1192)));
-                                                                            let _e1202 = select(1f, _e1200, (_e1200 < 1f));
-                                                                            let _e1204 = select(0f, _e1202, (_e1202 > 0f));
-                                                                            let _e1217 = ((_e1143.x + (_e1149.x * _e1204)) - _e262);
-                                                                            let _e1218 = ((_e1143.y + (_e1149.y * _e1204)) - _e329);
-                                                                            let _e1219 = ((_e1143.z + (_e1149.z * _e1204)) - _e395);
-                                                                            let _e1220 = (_e1219 / _e434);
-                                                                            let _e1232 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                            let _e1235 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
-                                                                            let _e1237 = select(_e1235, _e1232, (_e1232 > _e1235));
-                                                                            let _e1240 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
-                                                                            let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
-                                                                            let _e1248 = bitcast<f32>((bitcast<u32>(_e1156) & 2147483647u));
-                                                                            let _e1251 = bitcast<f32>((bitcast<u32>(_e1161) & 2147483647u));
-                                                                            let _e1253 = select(_e1251, _e1248, (_e1248 > _e1251));
-                                                                            let _e1256 = bitcast<f32>((bitcast<u32>(_e1164) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1156 * _e1217) + (_e1161 * _e1218)) + (_e1164 * _e1219)) - _e1185)) & 2147483647u)) <= ((0.0000009536743f * select(_e1122, _e1242, (_e1242 > _e1122))) * select(_e1256, _e1253, (_e1253 > _e1256)))) {
-                                                                                let _e1266 = bitcast<f32>((bitcast<u32>(_e1147.x) & 2147483647u));
-                                                                                let _e1269 = bitcast<f32>((bitcast<u32>(_e1147.y) & 2147483647u));
-                                                                                let _e1271 = select(_e1269, _e1266, (_e1266 > _e1269));
-                                                                                let _e1274 = bitcast<f32>((bitcast<u32>(_e1147.z) & 2147483647u));
-                                                                                let _e1280 = bitcast<f32>((bitcast<u32>(_e1145.x) & 2147483647u));
-                                                                                let _e1283 = bitcast<f32>((bitcast<u32>(_e1145.y) & 2147483647u));
-                                                                                let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
-                                                                                let _e1288 = bitcast<f32>((bitcast<u32>(_e1145.z) & 2147483647u));
-                                                                                let _e1292 = (bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u)) > ((0.0000038146973f * select(_e1274, _e1271, (_e1271 > _e1274))) * select(_e1288, _e1285, (_e1285 > _e1288))));
-                                                                                if _e1292 {
-                                                                                    phi_2021_ = (_e1185 / _e1190);
+                                                                            let _e979 = phi_1856_;
+                                                                            let _e990 = (((_e961 * (_e979.x - _e262)) + (_e966 * (_e979.y - _e329))) + (_e969 * (_e979.z - _e395)));
+                                                                            let _e995 = (((_e961 * _e302) + (_e966 * _e368)) + (_e969 * _e434));
+                                                                            let _e996 = (_e942 - _e946);
+                                                                            let _e997 = (_e940 - _e944);
+                                                                            let _e1005 = (-(((_e946 * _e996) + (_e944 * _e997))) / ((_e996 * _e996) + (_e997 * _e997)));
+                                                                            let _e1007 = select(1f, _e1005, (_e1005 < 1f));
+                                                                            let _e1009 = select(0f, _e1007, (_e1007 > 0f));
+                                                                            let _e1022 = ((_e948.x + (_e954.x * _e1009)) - _e262);
+                                                                            let _e1023 = ((_e948.y + (_e954.y * _e1009)) - _e329);
+                                                                            let _e1024 = ((_e948.z + (_e954.z * _e1009)) - _e395);
+                                                                            let _e1025 = (_e1024 / _e434);
+                                                                            let _e1037 = bitcast<f32>((bitcast<u32>(_e1022) & 2147483647u));
+                                                                            let _e1040 = bitcast<f32>((bitcast<u32>(_e1023) & 2147483647u));
+                                                                            let _e1042 = select(_e1040, _e1037, (_e1037 > _e1040));
+                                                                            let _e1045 = bitcast<f32>((bitcast<u32>(_e1024) & 2147483647u));
+                                                                            let _e1047 = select(_e1045, _e1042, (_e1042 > _e1045));
+                                                                            let _e1053 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
+                                                                            let _e1056 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
+                                                                            let _e1058 = select(_e1056, _e1053, (_e1053 > _e1056));
+                                                                            let _e1061 = bitcast<f32>((bitcast<u32>(_e969) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e961 * _e1022) + (_e966 * _e1023)) + (_e969 * _e1024)) - _e990)) & 2147483647u)) <= ((0.0000009536743f * select(_e927, _e1047, (_e1047 > _e927))) * select(_e1061, _e1058, (_e1058 > _e1061)))) {
+                                                                                let _e1071 = bitcast<f32>((bitcast<u32>(_e952.x) & 2147483647u));
+                                                                                let _e1074 = bitcast<f32>((bitcast<u32>(_e952.y) & 2147483647u));
+                                                                                let _e1076 = select(_e1074, _e1071, (_e1071 > _e1074));
+                                                                                let _e1079 = bitcast<f32>((bitcast<u32>(_e952.z) & 2147483647u));
+                                                                                let _e1085 = bitcast<f32>((bitcast<u32>(_e950.x) & 2147483647u));
+                                                                                let _e1088 = bitcast<f32>((bitcast<u32>(_e950.y) & 2147483647u));
+                                                                                let _e1090 = select(_e1088, _e1085, (_e1085 > _e1088));
+                                                                                let _e1093 = bitcast<f32>((bitcast<u32>(_e950.z) & 2147483647u));
+                                                                                let _e1097 = (bitcast<f32>((bitcast<u32>(_e995) & 2147483647u)) > ((0.0000038146973f * select(_e1079, _e1076, (_e1076 > _e1079))) * select(_e1093, _e1090, (_e1090 > _e1093))));
+                                                                                if _e1097 {
+                                                                                    phi_2021_ = (_e990 / _e995);
                                                                                 } else {
                                                                                     phi_2021_ = f32();
                                                                                 }
-                                                                                let _e1295 = phi_2021_;
-                                                                                phi_2023_ = _e1295;
-                                                                                phi_2024_ = select(true, false, _e1292);
+                                                                                let _e1100 = phi_2021_;
+                                                                                phi_2023_ = _e1100;
+                                                                                phi_2024_ = select(true, false, _e1097);
                                                                             } else {
                                                                                 phi_2023_ = f32();
                                                                                 phi_2024_ = true;
                                                                             }
-                                                                            let _e1298 = phi_2023_;
-                                                                            let _e1300 = phi_2024_;
-                                                                            if _e1300 {
-                                                                                let _e1308 = (((_e1156 * (_e1217 - (_e302 * _e1220))) + (_e1161 * (_e1218 - (_e368 * _e1220)))) / _e1190);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1308) & 2147483647u)) <= _e1122) {
-                                                                                    phi_2044_ = (_e1220 + _e1308);
+                                                                            let _e1103 = phi_2023_;
+                                                                            let _e1105 = phi_2024_;
+                                                                            if _e1105 {
+                                                                                let _e1113 = (((_e961 * (_e1022 - (_e302 * _e1025))) + (_e966 * (_e1023 - (_e368 * _e1025)))) / _e995);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1113) & 2147483647u)) <= _e927) {
+                                                                                    phi_2044_ = (_e1025 + _e1113);
                                                                                 } else {
-                                                                                    phi_2044_ = _e1220;
+                                                                                    phi_2044_ = _e1025;
                                                                                 }
-                                                                                let _e1315 = phi_2044_;
-                                                                                phi_2045_ = _e1315;
+                                                                                let _e1120 = phi_2044_;
+                                                                                phi_2045_ = _e1120;
                                                                             } else {
-                                                                                phi_2045_ = _e1298;
+                                                                                phi_2045_ = _e1103;
                                                                             }
-                                                                            let _e1317 = phi_2045_;
-                                                                            let _e1319 = select(_e1055, _e1317, (_e1317 < _e1055));
-                                                                            let _e1321 = select(_e1047, _e1319, (_e1319 > _e1047));
-                                                                            if (_e1321 >= _e548) {
-                                                                                let _e1323 = (_e1321 <= _e796.member.member_1);
-                                                                                if _e1323 {
-                                                                                    let _e1324 = (1f / _e974);
-                                                                                    phi_2068_ = type_22(_e1321, (_e968 * _e1324), (_e972 * _e1324), _e831);
+                                                                            let _e1122 = phi_2045_;
+                                                                            let _e1124 = select(_e860, _e1122, (_e1122 < _e860));
+                                                                            let _e1126 = select(_e852, _e1124, (_e1124 > _e852));
+                                                                            if (_e1126 >= _e548) {
+                                                                                let _e1128 = (_e1126 <= _e601.member.member_1);
+                                                                                if _e1128 {
+                                                                                    let _e1129 = (1f / _e779);
+                                                                                    phi_2068_ = type_22(_e1126, (_e773 * _e1129), (_e777 * _e1129), _e636);
                                                                                 } else {
                                                                                     phi_2068_ = type_22();
                                                                                 }
-                                                                                let _e1329 = phi_2068_;
-                                                                                phi_2070_ = _e1329;
-                                                                                phi_2071_ = select(true, false, _e1323);
+                                                                                let _e1134 = phi_2068_;
+                                                                                phi_2070_ = _e1134;
+                                                                                phi_2071_ = select(true, false, _e1128);
                                                                             } else {
                                                                                 phi_2070_ = type_22();
                                                                                 phi_2071_ = true;
                                                                             }
-                                                                            let _e1332 = phi_2070_;
-                                                                            let _e1334 = phi_2071_;
-                                                                            if _e1334 {
+                                                                            let _e1137 = phi_2070_;
+                                                                            let _e1139 = phi_2071_;
+                                                                            if _e1139 {
                                                                                 phi_2075_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2075_ = _e1332;
+                                                                                phi_2075_ = _e1137;
                                                                             }
-                                                                            let _e1336 = phi_2075_;
-                                                                            phi_2076_ = _e1336;
+                                                                            let _e1141 = phi_2075_;
+                                                                            phi_2076_ = _e1141;
                                                                         }
-                                                                        let _e1338 = phi_2076_;
-                                                                        phi_2077_ = _e1338;
-                                                                        phi_2078_ = _e1064;
+                                                                        let _e1143 = phi_2076_;
+                                                                        phi_2077_ = _e1143;
+                                                                        phi_2078_ = _e869;
                                                                     }
-                                                                    let _e1340 = phi_2077_;
-                                                                    let _e1342 = phi_2078_;
-                                                                    phi_2082_ = _e1340;
-                                                                    phi_2083_ = _e1342;
+                                                                    let _e1145 = phi_2077_;
+                                                                    let _e1147 = phi_2078_;
+                                                                    phi_2082_ = _e1145;
+                                                                    phi_2083_ = _e1147;
                                                                 }
-                                                                let _e1344 = phi_2082_;
-                                                                let _e1346 = phi_2083_;
-                                                                phi_2084_ = _e1344;
-                                                                phi_2085_ = _e999;
-                                                                phi_2086_ = _e1346;
+                                                                let _e1149 = phi_2082_;
+                                                                let _e1151 = phi_2083_;
+                                                                phi_2084_ = _e1149;
+                                                                phi_2085_ = _e804;
+                                                                phi_2086_ = _e1151;
                                                             }
-                                                            let _e1348 = phi_2084_;
-                                                            let _e1350 = phi_2085_;
-                                                            let _e1352 = phi_2086_;
-                                                            phi_2087_ = _e1348;
-                                                            phi_2088_ = _e1350;
-                                                            phi_2089_ = _e1352;
+                                                            let _e1153 = phi_2084_;
+                                                            let _e1155 = phi_2085_;
+                                                            let _e1157 = phi_2086_;
+                                                            phi_2087_ = _e1153;
+                                                            phi_2088_ = _e1155;
+                                                            phi_2089_ = _e1157;
                                                         }
-                                                        let _e1354 = phi_2087_;
-                                                        let _e1356 = phi_2088_;
-                                                        let _e1358 = phi_2089_;
-                                                        phi_2097_ = _e1354;
-                                                        phi_2098_ = select(_e1358, true, _e1356);
+                                                        let _e1159 = phi_2087_;
+                                                        let _e1161 = phi_2088_;
+                                                        let _e1163 = phi_2089_;
+                                                        phi_2097_ = _e1159;
+                                                        phi_2098_ = select(_e1163, true, _e1161);
                                                     } else {
                                                         phi_2097_ = type_22();
                                                         phi_2098_ = true;
                                                     }
-                                                    let _e1361 = phi_2097_;
-                                                    let _e1363 = phi_2098_;
-                                                    if _e1363 {
+                                                    let _e1166 = phi_2097_;
+                                                    let _e1168 = phi_2098_;
+                                                    if _e1168 {
                                                         phi_2102_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2102_ = _e1361;
+                                                        phi_2102_ = _e1166;
                                                     }
-                                                    let _e1365 = phi_2102_;
-                                                    if (_e1365.member_3 != 4294967295u) {
-                                                        if (_e831 != _e554) {
-                                                            if (_e1365.member < _e796.member.member.member) {
+                                                    let _e1170 = phi_2102_;
+                                                    if (_e1170.member_3 != 4294967295u) {
+                                                        if (_e636 != _e554) {
+                                                            if (_e1170.member < _e601.member.member.member) {
                                                                 phi_2128_ = true;
                                                             } else {
-                                                                if (_e1365.member == _e796.member.member.member) {
-                                                                    phi_2127_ = (_e1365.member_3 < _e796.member.member.member_3);
+                                                                if (_e1170.member == _e601.member.member.member) {
+                                                                    phi_2127_ = (_e1170.member_3 < _e601.member.member.member_3);
                                                                 } else {
                                                                     phi_2127_ = false;
                                                                 }
-                                                                let _e1380 = phi_2127_;
-                                                                phi_2128_ = _e1380;
+                                                                let _e1185 = phi_2127_;
+                                                                phi_2128_ = _e1185;
                                                             }
-                                                            let _e1382 = phi_2128_;
-                                                            if _e1382 {
-                                                                phi_2135_ = type_48(type_43(_e1365, _e1365.member), _e823.member_1, _e823.member_2);
+                                                            let _e1187 = phi_2128_;
+                                                            if _e1187 {
+                                                                phi_2135_ = type_48(type_43(_e1170, _e1170.member), _e628.member_1, _e628.member_2);
                                                             } else {
-                                                                phi_2135_ = _e823;
+                                                                phi_2135_ = _e628;
                                                             }
-                                                            let _e1389 = phi_2135_;
-                                                            phi_2136_ = _e1389;
+                                                            let _e1194 = phi_2135_;
+                                                            phi_2136_ = _e1194;
                                                         } else {
-                                                            phi_2136_ = _e823;
+                                                            phi_2136_ = _e628;
                                                         }
-                                                        let _e1391 = phi_2136_;
-                                                        phi_2137_ = _e1391;
+                                                        let _e1196 = phi_2136_;
+                                                        phi_2137_ = _e1196;
                                                     } else {
-                                                        phi_2137_ = _e823;
+                                                        phi_2137_ = _e628;
                                                     }
-                                                    let _e1393 = phi_2137_;
-                                                    phi_1062_ = _e1393;
+                                                    let _e1198 = phi_2137_;
+                                                    phi_1062_ = _e1198;
                                                 } else {
                                                     phi_1062_ = type_48();
                                                 }
-                                                let _e1395 = phi_1062_;
+                                                let _e1200 = phi_1062_;
                                                 continue;
                                                 continuing {
-                                                    phi_1061_ = _e1395;
-                                                    phi_1064_ = _e811;
-                                                    phi_2925_ = _e561;
-                                                    break if !(_e817);
+                                                    phi_1061_ = _e1200;
+                                                    phi_1064_ = _e616;
+                                                    phi_2931_ = _e561;
+                                                    break if !(_e622);
                                                 }
                                             }
-                                            let _e1398 = phi_2925_;
-                                            phi_3085_ = _e1398;
-                                            if _e1398 {
+                                            let _e1203 = phi_2931_;
+                                            phi_3091_ = _e1203;
+                                            if _e1203 {
                                                 break;
                                             }
-                                            phi_3089_ = _e1398;
-                                            let _e1726 = local_4;
-                                            phi_2627_ = _e1726;
-                                            phi_2628_ = false;
-                                            phi_2629_ = _e589;
-                                            phi_2630_ = _e591;
+                                            phi_3126_ = _e1203;
+                                            let _e1721 = local_4;
+                                            phi_2138_ = _e1721;
+                                        } else {
+                                            phi_3126_ = _e561;
+                                            phi_2138_ = _e563;
+                                        }
+                                        let _e1205 = phi_3126_;
+                                        let _e1207 = phi_2138_;
+                                        if _e594 {
+                                            phi_2622_ = type_48();
+                                            phi_2623_ = bool();
+                                            phi_2624_ = u32();
+                                            phi_2625_ = u32();
                                         } else {
                                             if (_e591 >= _e77) {
-                                                phi_2207_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                                phi_2203_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
                                                 if (_e591 < _e77) {
                                                 } else {
-                                                    phi_3085_ = true;
+                                                    phi_3091_ = true;
                                                     break;
                                                 }
-                                                let _e601 = (_e215 % 3u);
-                                                if (_e601 < 3u) {
+                                                let _e1210 = (_e215 % 3u);
+                                                if (_e1210 < 3u) {
                                                 } else {
-                                                    phi_3085_ = true;
+                                                    phi_3091_ = true;
                                                     break;
                                                 }
-                                                let _e607 = global_2.member[_e591].member[_e601];
-                                                let _e613 = (_e214 % 3u);
-                                                if (_e613 < 3u) {
+                                                let _e1216 = global_2.member[_e591].member[_e1210];
+                                                let _e1222 = (_e214 % 3u);
+                                                if (_e1222 < 3u) {
                                                 } else {
-                                                    phi_3085_ = true;
+                                                    phi_3091_ = true;
                                                     break;
                                                 }
-                                                let _e619 = global_2.member[_e591].member[_e613];
-                                                let _e625 = (_e216 % 3u);
-                                                if (_e625 < 3u) {
+                                                let _e1228 = global_2.member[_e591].member[_e1222];
+                                                let _e1234 = (_e216 % 3u);
+                                                if (_e1234 < 3u) {
                                                 } else {
-                                                    phi_3085_ = true;
+                                                    phi_3091_ = true;
                                                     break;
                                                 }
-                                                let _e631 = global_2.member[_e591].member[_e625];
-                                                let _e641 = global_2.member[_e591].member_1;
-                                                let _e645 = global_2.member[_e591].member_2;
-                                                phi_2207_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e607[0], _e607[1], _e607[2], _e607[3]), vec4<f32>(_e619[0], _e619[1], _e619[2], _e619[3]), vec4<f32>(_e631[0], _e631[1], _e631[2], _e631[3])), _e641, _e645);
+                                                let _e1240 = global_2.member[_e591].member[_e1234];
+                                                let _e1250 = global_2.member[_e591].member_1;
+                                                let _e1254 = global_2.member[_e591].member_2;
+                                                phi_2203_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e1216[0], _e1216[1], _e1216[2], _e1216[3]), vec4<f32>(_e1228[0], _e1228[1], _e1228[2], _e1228[3]), vec4<f32>(_e1240[0], _e1240[1], _e1240[2], _e1240[3])), _e1250, _e1254);
                                             }
-                                            let _e648 = phi_2207_;
-                                            let _e667 = ((_e648.member[0].x - _e300) * _e305);
-                                            let _e668 = ((_e648.member[0].y - _e300) * _e305);
-                                            let _e669 = ((_e648.member[0].z - _e301) * _e305);
-                                            let _e670 = ((_e648.member[0].w - _e301) * _e305);
-                                            let _e680 = ((_e648.member[1].x - _e366) * _e371);
-                                            let _e681 = ((_e648.member[1].y - _e366) * _e371);
-                                            let _e682 = ((_e648.member[1].z - _e367) * _e371);
-                                            let _e683 = ((_e648.member[1].w - _e367) * _e371);
-                                            let _e693 = ((_e648.member[2].x - _e432) * _e437);
-                                            let _e694 = ((_e648.member[2].y - _e432) * _e437);
-                                            let _e695 = ((_e648.member[2].z - _e433) * _e437);
-                                            let _e696 = ((_e648.member[2].w - _e433) * _e437);
-                                            let _e698 = select(_e695, _e693, (_e693 < _e695));
-                                            let _e700 = select(_e696, _e694, (_e694 < _e696));
-                                            let _e702 = select(_e695, _e693, (_e693 > _e695));
-                                            let _e704 = select(_e696, _e694, (_e694 > _e696));
-                                            let _e706 = select(_e669, _e667, (_e667 < _e669));
-                                            let _e708 = select(_e670, _e668, (_e668 < _e670));
-                                            let _e710 = select(_e682, _e680, (_e680 < _e682));
-                                            let _e712 = select(_e683, _e681, (_e681 < _e683));
-                                            let _e714 = select(_e710, _e706, (_e706 > _e710));
-                                            let _e716 = select(_e712, _e708, (_e708 > _e712));
-                                            let _e718 = select(_e698, _e714, (_e714 > _e698));
-                                            let _e720 = select(_e700, _e716, (_e716 > _e700));
-                                            let _e722 = select(_e669, _e667, (_e667 > _e669));
-                                            let _e724 = select(_e670, _e668, (_e668 > _e670));
-                                            let _e726 = select(_e682, _e680, (_e680 > _e682));
-                                            let _e728 = select(_e683, _e681, (_e681 > _e683));
-                                            let _e730 = select(_e726, _e722, (_e722 < _e726));
-                                            let _e732 = select(_e728, _e724, (_e724 < _e728));
-                                            let _e737 = -(_e698);
-                                            let _e738 = -(_e700);
-                                            let _e745 = (select(_e702, _e730, (_e730 < _e702)) + (select(_e737, _e702, (_e702 > _e737)) * 0.0000019073523f));
-                                            let _e746 = (select(_e704, _e732, (_e732 < _e704)) + (select(_e738, _e704, (_e704 > _e738)) * 0.0000019073523f));
-                                            let _e748 = select(_e548, _e718, (_e718 > _e548));
-                                            let _e750 = select(_e548, _e720, (_e720 > _e548));
-                                            let _e755 = (_e748 <= select(_e563.member.member_1, _e745, (_e745 < _e563.member.member_1)));
-                                            let _e756 = (_e750 <= select(_e563.member.member_1, _e746, (_e746 < _e563.member.member_1)));
-                                            let _e757 = (_e748 <= _e750);
-                                            if _e755 {
-                                                if _e756 {
-                                                    if _e757 {
-                                                        phi_2572_ = _e648.member_2;
+                                            let _e1257 = phi_2203_;
+                                            let _e1276 = ((_e1257.member[0].x - _e300) * _e305);
+                                            let _e1277 = ((_e1257.member[0].y - _e300) * _e305);
+                                            let _e1278 = ((_e1257.member[0].z - _e301) * _e305);
+                                            let _e1279 = ((_e1257.member[0].w - _e301) * _e305);
+                                            let _e1289 = ((_e1257.member[1].x - _e366) * _e371);
+                                            let _e1290 = ((_e1257.member[1].y - _e366) * _e371);
+                                            let _e1291 = ((_e1257.member[1].z - _e367) * _e371);
+                                            let _e1292 = ((_e1257.member[1].w - _e367) * _e371);
+                                            let _e1302 = ((_e1257.member[2].x - _e432) * _e437);
+                                            let _e1303 = ((_e1257.member[2].y - _e432) * _e437);
+                                            let _e1304 = ((_e1257.member[2].z - _e433) * _e437);
+                                            let _e1305 = ((_e1257.member[2].w - _e433) * _e437);
+                                            let _e1307 = select(_e1304, _e1302, (_e1302 < _e1304));
+                                            let _e1309 = select(_e1305, _e1303, (_e1303 < _e1305));
+                                            let _e1311 = select(_e1304, _e1302, (_e1302 > _e1304));
+                                            let _e1313 = select(_e1305, _e1303, (_e1303 > _e1305));
+                                            let _e1315 = select(_e1278, _e1276, (_e1276 < _e1278));
+                                            let _e1317 = select(_e1279, _e1277, (_e1277 < _e1279));
+                                            let _e1319 = select(_e1291, _e1289, (_e1289 < _e1291));
+                                            let _e1321 = select(_e1292, _e1290, (_e1290 < _e1292));
+                                            let _e1323 = select(_e1319, _e1315, (_e1315 > _e1319));
+                                            let _e1325 = select(_e1321, _e1317, (_e1317 > _e1321));
+                                            let _e1327 = select(_e1307, _e1323, (_e1323 > _e1307));
+                                            let _e1329 = select(_e1309, _e1325, (_e1325 > _e1309));
+                                            let _e1331 = select(_e1278, _e1276, (_e1276 > _e1278));
+                                            let _e1333 = select(_e1279, _e1277, (_e1277 > _e1279));
+                                            let _e1335 = select(_e1291, _e1289, (_e1289 > _e1291));
+                                            let _e1337 = select(_e1292, _e1290, (_e1290 > _e1292));
+                                            let _e1339 = select(_e1335, _e1331, (_e1331 < _e1335));
+                                            let _e1341 = select(_e1337, _e1333, (_e1333 < _e1337));
+                                            let _e1346 = -(_e1307);
+                                            let _e1347 = -(_e1309);
+                                            let _e1354 = (select(_e1311, _e1339, (_e1339 < _e1311)) + (select(_e1346, _e1311, (_e1311 > _e1346)) * 0.0000019073523f));
+                                            let _e1355 = (select(_e1313, _e1341, (_e1341 < _e1313)) + (select(_e1347, _e1313, (_e1313 > _e1347)) * 0.0000019073523f));
+                                            let _e1357 = select(_e548, _e1327, (_e1327 > _e548));
+                                            let _e1359 = select(_e548, _e1329, (_e1329 > _e548));
+                                            let _e1364 = (_e1357 <= select(_e1207.member.member_1, _e1354, (_e1354 < _e1207.member.member_1)));
+                                            let _e1365 = (_e1359 <= select(_e1207.member.member_1, _e1355, (_e1355 < _e1207.member.member_1)));
+                                            let _e1366 = (_e1357 <= _e1359);
+                                            if _e1364 {
+                                                if _e1365 {
+                                                    if _e1366 {
+                                                        phi_2568_ = _e1257.member_2;
                                                     } else {
-                                                        phi_2572_ = _e648.member_1;
+                                                        phi_2568_ = _e1257.member_1;
                                                     }
-                                                    let _e761 = phi_2572_;
-                                                    let _e764 = (_e589 % 128u);
-                                                    let _e765 = (_e764 < 128u);
-                                                    if _e765 {
+                                                    let _e1370 = phi_2568_;
+                                                    let _e1372 = (_e589 % 128u);
+                                                    let _e1373 = (_e1372 < 128u);
+                                                    if _e1373 {
                                                     } else {
-                                                        phi_3085_ = true;
+                                                        phi_3091_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e764] = _e761;
-                                                    if _e765 {
+                                                    local_1[_e1372] = _e1370;
+                                                    if _e1373 {
                                                     } else {
-                                                        phi_3085_ = true;
+                                                        phi_3091_ = true;
                                                         break;
                                                     }
-                                                    local[_e764] = select(_e750, _e748, !(_e757));
-                                                    if _e757 {
-                                                        phi_2600_ = _e648.member_1;
+                                                    local[_e1372] = select(_e1357, _e1359, _e1366);
+                                                    if _e1366 {
+                                                        phi_2595_ = _e1257.member_1;
                                                     } else {
-                                                        phi_2600_ = _e648.member_2;
+                                                        phi_2595_ = _e1257.member_2;
                                                     }
-                                                    let _e772 = phi_2600_;
-                                                    phi_2601_ = (_e589 + 1u);
-                                                    phi_2602_ = _e772;
+                                                    let _e1380 = phi_2595_;
+                                                    phi_2596_ = (_e589 + 1u);
+                                                    phi_2597_ = _e1380;
                                                 } else {
-                                                    phi_2601_ = u32();
-                                                    phi_2602_ = u32();
+                                                    phi_2596_ = u32();
+                                                    phi_2597_ = u32();
                                                 }
-                                                let _e774 = phi_2601_;
-                                                let _e776 = phi_2602_;
-                                                phi_2604_ = _e774;
-                                                phi_2605_ = _e776;
-                                                phi_2606_ = select(true, false, _e756);
+                                                let _e1382 = phi_2596_;
+                                                let _e1384 = phi_2597_;
+                                                phi_2599_ = _e1382;
+                                                phi_2600_ = _e1384;
+                                                phi_2601_ = select(true, false, _e1365);
                                             } else {
-                                                phi_2604_ = u32();
-                                                phi_2605_ = u32();
-                                                phi_2606_ = true;
+                                                phi_2599_ = u32();
+                                                phi_2600_ = u32();
+                                                phi_2601_ = true;
                                             }
-                                            let _e779 = phi_2604_;
-                                            let _e781 = phi_2605_;
-                                            let _e783 = phi_2606_;
-                                            if _e783 {
-                                                if _e755 {
-                                                    phi_2615_ = _e648.member_1;
+                                            let _e1387 = phi_2599_;
+                                            let _e1389 = phi_2600_;
+                                            let _e1391 = phi_2601_;
+                                            if _e1391 {
+                                                if _e1364 {
+                                                    phi_2610_ = _e1257.member_1;
                                                 } else {
-                                                    phi_2615_ = _e648.member_2;
+                                                    phi_2610_ = _e1257.member_2;
                                                 }
-                                                let _e787 = phi_2615_;
-                                                phi_2620_ = select(_e756, true, _e755);
-                                                phi_2622_ = _e787;
+                                                let _e1395 = phi_2610_;
+                                                phi_2615_ = select(_e1365, true, _e1364);
+                                                phi_2617_ = _e1395;
                                             } else {
-                                                phi_2620_ = _e587;
-                                                phi_2622_ = _e781;
+                                                phi_2615_ = _e587;
+                                                phi_2617_ = _e1389;
                                             }
-                                            let _e790 = phi_2620_;
-                                            let _e792 = phi_2622_;
-                                            phi_3089_ = _e561;
-                                            phi_2627_ = type_48(_e563.member, (_e563.member_1 + 1u), _e563.member_2);
-                                            phi_2628_ = _e790;
-                                            phi_2629_ = select(_e779, _e589, _e783);
-                                            phi_2630_ = _e792;
+                                            let _e1398 = phi_2615_;
+                                            let _e1400 = phi_2617_;
+                                            phi_2622_ = type_48(_e1207.member, (_e1207.member_1 + 1u), _e1207.member_2);
+                                            phi_2623_ = _e1398;
+                                            phi_2624_ = select(_e1387, _e589, _e1391);
+                                            phi_2625_ = _e1400;
                                         }
-                                        let _e1400 = phi_3089_;
-                                        let _e1402 = phi_2627_;
-                                        let _e1404 = phi_2628_;
-                                        let _e1406 = phi_2629_;
-                                        let _e1408 = phi_2630_;
-                                        phi_3088_ = _e1400;
-                                        phi_2631_ = _e1402;
-                                        phi_2632_ = _e1404;
-                                        phi_2633_ = (_e567 - 1u);
-                                        phi_2634_ = _e1406;
-                                        phi_2635_ = _e1408;
+                                        let _e1403 = phi_2622_;
+                                        let _e1405 = phi_2623_;
+                                        let _e1407 = phi_2624_;
+                                        let _e1409 = phi_2625_;
+                                        if _e594 {
+                                            phi_2633_ = _e1207;
+                                        } else {
+                                            phi_2633_ = _e1403;
+                                        }
+                                        let _e1411 = phi_2633_;
+                                        phi_3094_ = _e1205;
+                                        phi_2637_ = _e1411;
+                                        phi_2638_ = (_e565 - 1u);
+                                        phi_2639_ = select(_e1405, false, _e594);
+                                        phi_2640_ = select(_e1407, _e589, _e594);
+                                        phi_2641_ = select(_e1409, _e591, _e594);
                                     } else {
-                                        phi_3088_ = _e561;
-                                        phi_2631_ = _e563;
-                                        phi_2632_ = _e587;
-                                        phi_2633_ = _e567;
-                                        phi_2634_ = _e589;
-                                        phi_2635_ = _e591;
+                                        phi_3094_ = _e561;
+                                        phi_2637_ = _e563;
+                                        phi_2638_ = _e565;
+                                        phi_2639_ = _e587;
+                                        phi_2640_ = _e589;
+                                        phi_2641_ = _e591;
                                     }
-                                    let _e1410 = phi_3088_;
-                                    let _e1412 = phi_2631_;
-                                    let _e1414 = phi_2632_;
-                                    let _e1416 = phi_2633_;
-                                    let _e1418 = phi_2634_;
-                                    let _e1420 = phi_2635_;
-                                    phi_3087_ = _e1410;
-                                    phi_2636_ = _e1412;
-                                    phi_2637_ = _e1414;
-                                    phi_2638_ = _e1416;
-                                    phi_2639_ = _e1418;
-                                    phi_2640_ = _e1420;
+                                    let _e1416 = phi_3094_;
+                                    let _e1418 = phi_2637_;
+                                    let _e1420 = phi_2638_;
+                                    let _e1422 = phi_2639_;
+                                    let _e1424 = phi_2640_;
+                                    let _e1426 = phi_2641_;
+                                    phi_3093_ = _e1416;
+                                    phi_2642_ = _e1418;
+                                    phi_2643_ = _e1420;
+                                    phi_2644_ = _e1422;
+                                    phi_2645_ = _e1424;
+                                    phi_2646_ = _e1426;
                                 } else {
-                                    phi_3087_ = _e561;
-                                    phi_2636_ = type_48();
-                                    phi_2637_ = bool();
-                                    phi_2638_ = u32();
-                                    phi_2639_ = u32();
-                                    phi_2640_ = u32();
+                                    phi_3093_ = _e561;
+                                    phi_2642_ = type_48();
+                                    phi_2643_ = u32();
+                                    phi_2644_ = bool();
+                                    phi_2645_ = u32();
+                                    phi_2646_ = u32();
                                 }
-                                let _e1422 = phi_3087_;
-                                let _e1424 = phi_2636_;
-                                let _e1426 = phi_2637_;
-                                let _e1428 = phi_2638_;
-                                let _e1430 = phi_2639_;
-                                let _e1432 = phi_2640_;
-                                phi_3086_ = _e1422;
-                                phi_993_ = _e1424;
-                                phi_996_ = _e1426;
-                                phi_998_ = _e1428;
-                                phi_1000_ = _e1430;
-                                phi_1002_ = _e1432;
-                                phi_2641_ = _e575;
+                                let _e1428 = phi_3093_;
+                                let _e1430 = phi_2642_;
+                                let _e1432 = phi_2643_;
+                                let _e1434 = phi_2644_;
+                                let _e1436 = phi_2645_;
+                                let _e1438 = phi_2646_;
+                                phi_3092_ = _e1428;
+                                phi_993_ = _e1430;
+                                phi_996_ = _e1432;
+                                phi_998_ = _e1434;
+                                phi_1000_ = _e1436;
+                                phi_1002_ = _e1438;
+                                phi_2647_ = _e575;
                             } else {
-                                phi_3086_ = _e561;
+                                phi_3092_ = _e561;
                                 phi_993_ = type_48();
-                                phi_996_ = bool();
-                                phi_998_ = u32();
+                                phi_996_ = u32();
+                                phi_998_ = bool();
                                 phi_1000_ = u32();
                                 phi_1002_ = u32();
-                                phi_2641_ = false;
+                                phi_2647_ = false;
                             }
-                            let _e1434 = phi_3086_;
-                            let _e1436 = phi_993_;
-                            let _e1438 = phi_996_;
-                            let _e1440 = phi_998_;
-                            let _e1442 = phi_1000_;
-                            let _e1444 = phi_1002_;
-                            let _e1446 = phi_2641_;
+                            let _e1440 = phi_3092_;
+                            let _e1442 = phi_993_;
+                            let _e1444 = phi_996_;
+                            let _e1446 = phi_998_;
+                            let _e1448 = phi_1000_;
+                            let _e1450 = phi_1002_;
+                            let _e1452 = phi_2647_;
                             continue;
                             continuing {
-                                phi_2931_ = _e1434;
-                                phi_992_ = _e1436;
-                                phi_995_ = _e1438;
-                                phi_997_ = _e1440;
-                                phi_999_ = _e1442;
-                                phi_1001_ = _e1444;
-                                phi_3085_ = _e1434;
-                                break if !(_e1446);
+                                phi_2937_ = _e1440;
+                                phi_992_ = _e1442;
+                                phi_995_ = _e1444;
+                                phi_997_ = _e1446;
+                                phi_999_ = _e1448;
+                                phi_1001_ = _e1450;
+                                phi_3091_ = _e1440;
+                                break if !(_e1452);
                             }
                         }
-                        let _e1449 = phi_3085_;
-                        if _e1449 {
+                        let _e1455 = phi_3091_;
+                        if _e1455 {
                             break;
                         }
-                        let _e1451 = local_2;
-                        if (_e1451.member.member.member_3 != 4294967295u) {
-                            let _e1457 = bitcast<u32>(_e1451.member.member.member);
-                            let _e1461 = (bitcast<i32>((_e1457 >> bitcast<u32>(23i))) & 255i);
-                            let _e1462 = (_e1461 + _e217);
-                            if (_e1461 == 255i) {
-                                phi_2700_ = _e1451.member.member.member;
+                        let _e1457 = local_2;
+                        if (_e1457.member.member.member_3 != 4294967295u) {
+                            let _e1463 = bitcast<u32>(_e1457.member.member.member);
+                            let _e1467 = (bitcast<i32>((_e1463 >> bitcast<u32>(23i))) & 255i);
+                            let _e1468 = (_e1467 + _e217);
+                            if (_e1467 == 255i) {
+                                phi_2706_ = _e1457.member.member.member;
                             } else {
-                                if (_e1461 > 0i) {
-                                    if (_e1462 > 0i) {
-                                        let _e1466 = (_e1462 < 255i);
-                                        if _e1466 {
-                                            phi_2679_ = bitcast<f32>((_e1457 + bitcast<u32>((_e217 << bitcast<u32>(23i)))));
+                                if (_e1467 > 0i) {
+                                    if (_e1468 > 0i) {
+                                        let _e1472 = (_e1468 < 255i);
+                                        if _e1472 {
+                                            phi_2685_ = bitcast<f32>((_e1463 + bitcast<u32>((_e217 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_2679_ = f32();
+                                            phi_2685_ = f32();
                                         }
-                                        let _e1473 = phi_2679_;
-                                        phi_2681_ = _e1473;
-                                        phi_2682_ = select(true, false, _e1466);
+                                        let _e1479 = phi_2685_;
+                                        phi_2687_ = _e1479;
+                                        phi_2688_ = select(true, false, _e1472);
                                     } else {
-                                        phi_2681_ = f32();
-                                        phi_2682_ = true;
+                                        phi_2687_ = f32();
+                                        phi_2688_ = true;
                                     }
-                                    let _e1476 = phi_2681_;
-                                    let _e1478 = phi_2682_;
-                                    phi_2683_ = _e1476;
-                                    phi_2684_ = _e1478;
+                                    let _e1482 = phi_2687_;
+                                    let _e1484 = phi_2688_;
+                                    phi_2689_ = _e1482;
+                                    phi_2690_ = _e1484;
                                 } else {
-                                    phi_2683_ = f32();
-                                    phi_2684_ = true;
+                                    phi_2689_ = f32();
+                                    phi_2690_ = true;
                                 }
-                                let _e1480 = phi_2683_;
-                                let _e1482 = phi_2684_;
-                                if _e1482 {
-                                    let _e1483 = (_e1457 & 2147483648u);
-                                    let _e1490 = ((_e1457 & 8388607u) | (select(0u, 1u, ((_e1457 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e1494 = (_e1490 == 0u);
-                                    if _e1494 {
-                                        phi_2920_ = bitcast<f32>(_e1483);
+                                let _e1486 = phi_2689_;
+                                let _e1488 = phi_2690_;
+                                if _e1488 {
+                                    let _e1489 = (_e1463 & 2147483648u);
+                                    let _e1496 = ((_e1463 & 8388607u) | (select(0u, 1u, ((_e1463 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1500 = (_e1496 == 0u);
+                                    if _e1500 {
+                                        phi_2926_ = bitcast<f32>(_e1489);
                                     } else {
-                                        let _e1499 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1490)), 32u, _e1494) - 8u);
-                                        let _e1502 = (_e1490 << bitcast<u32>((_e1499 & 31u)));
-                                        let _e1504 = ((_e1462 + select(0i, 1i, (_e1461 == 0i))) - bitcast<i32>(_e1499));
-                                        if (_e1504 >= 255i) {
-                                            phi_2910_ = bitcast<f32>((_e1483 | 2139095040u));
-                                            phi_2911_ = f32();
-                                            phi_2912_ = true;
+                                        let _e1505 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1496)), 32u, _e1500) - 8u);
+                                        let _e1508 = (_e1496 << bitcast<u32>((_e1505 & 31u)));
+                                        let _e1510 = ((_e1468 + select(0i, 1i, (_e1467 == 0i))) - bitcast<i32>(_e1505));
+                                        if (_e1510 >= 255i) {
+                                            phi_2916_ = bitcast<f32>((_e1489 | 2139095040u));
+                                            phi_2917_ = f32();
+                                            phi_2918_ = true;
                                         } else {
-                                            let _e1506 = (_e1504 > 0i);
-                                            if _e1506 {
-                                                phi_2904_ = bitcast<f32>(((_e1483 | (bitcast<u32>(_e1504) << bitcast<u32>(23i))) | (_e1502 & 8388607u)));
-                                                phi_2905_ = f32();
+                                            let _e1512 = (_e1510 > 0i);
+                                            if _e1512 {
+                                                phi_2910_ = bitcast<f32>(((_e1489 | (bitcast<u32>(_e1510) << bitcast<u32>(23i))) | (_e1508 & 8388607u)));
+                                                phi_2911_ = f32();
                                             } else {
-                                                if (_e1504 < -24i) {
-                                                    phi_2870_ = 26u;
+                                                if (_e1510 < -24i) {
+                                                    phi_2876_ = 26u;
                                                 } else {
-                                                    phi_2870_ = bitcast<u32>((1i - _e1504));
+                                                    phi_2876_ = bitcast<u32>((1i - _e1510));
                                                 }
-                                                let _e1511 = phi_2870_;
-                                                let _e1512 = (_e1511 & 31u);
-                                                let _e1514 = (_e1502 >> bitcast<u32>(_e1512));
-                                                let _e1518 = (_e1502 & ((1u << bitcast<u32>(_e1512)) - 1u));
-                                                let _e1522 = (1u << bitcast<u32>(((_e1511 - 1u) & 31u)));
-                                                if (_e1518 > _e1522) {
-                                                    phi_2891_ = true;
+                                                let _e1517 = phi_2876_;
+                                                let _e1518 = (_e1517 & 31u);
+                                                let _e1520 = (_e1508 >> bitcast<u32>(_e1518));
+                                                let _e1524 = (_e1508 & ((1u << bitcast<u32>(_e1518)) - 1u));
+                                                let _e1528 = (1u << bitcast<u32>(((_e1517 - 1u) & 31u)));
+                                                if (_e1524 > _e1528) {
+                                                    phi_2897_ = true;
                                                 } else {
-                                                    if (_e1518 == _e1522) {
-                                                        phi_2888_ = ((_e1514 & 1u) == 1u);
+                                                    if (_e1524 == _e1528) {
+                                                        phi_2894_ = ((_e1520 & 1u) == 1u);
                                                     } else {
-                                                        phi_2888_ = false;
+                                                        phi_2894_ = false;
                                                     }
-                                                    let _e1528 = phi_2888_;
-                                                    phi_2891_ = _e1528;
+                                                    let _e1534 = phi_2894_;
+                                                    phi_2897_ = _e1534;
                                                 }
-                                                let _e1530 = phi_2891_;
-                                                phi_2904_ = f32();
-                                                phi_2905_ = bitcast<f32>((_e1483 | (_e1514 + select(0u, 1u, _e1530))));
+                                                let _e1536 = phi_2897_;
+                                                phi_2910_ = f32();
+                                                phi_2911_ = bitcast<f32>((_e1489 | (_e1520 + select(0u, 1u, _e1536))));
                                             }
-                                            let _e1543 = phi_2904_;
-                                            let _e1545 = phi_2905_;
-                                            phi_2910_ = _e1543;
-                                            phi_2911_ = _e1545;
-                                            phi_2912_ = _e1506;
+                                            let _e1549 = phi_2910_;
+                                            let _e1551 = phi_2911_;
+                                            phi_2916_ = _e1549;
+                                            phi_2917_ = _e1551;
+                                            phi_2918_ = _e1512;
                                         }
-                                        let _e1549 = phi_2910_;
-                                        let _e1551 = phi_2911_;
-                                        let _e1553 = phi_2912_;
-                                        phi_2920_ = select(_e1551, _e1549, _e1553);
+                                        let _e1555 = phi_2916_;
+                                        let _e1557 = phi_2917_;
+                                        let _e1559 = phi_2918_;
+                                        phi_2926_ = select(_e1557, _e1555, _e1559);
                                     }
-                                    let _e1557 = phi_2920_;
-                                    phi_2699_ = _e1557;
+                                    let _e1563 = phi_2926_;
+                                    phi_2705_ = _e1563;
                                 } else {
-                                    phi_2699_ = _e1480;
+                                    phi_2705_ = _e1486;
                                 }
-                                let _e1559 = phi_2699_;
-                                phi_2700_ = _e1559;
+                                let _e1565 = phi_2705_;
+                                phi_2706_ = _e1565;
                             }
-                            let _e1561 = phi_2700_;
-                            let _e1562 = bitcast<u32>(_e1561);
-                            if ((_e1562 & 2147483647u) >= 2139095040u) {
-                                phi_2712_ = bitcast<f32>(((_e1562 & 2147483648u) | 2139095039u));
+                            let _e1567 = phi_2706_;
+                            let _e1568 = bitcast<u32>(_e1567);
+                            if ((_e1568 & 2147483647u) >= 2139095040u) {
+                                phi_2718_ = bitcast<f32>(((_e1568 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_2712_ = _e1561;
+                                phi_2718_ = _e1567;
                             }
-                            let _e1569 = phi_2712_;
-                            phi_2717_ = type_22(_e1569, _e1451.member.member.member_1, _e1451.member.member.member_2, _e1451.member.member.member_3);
+                            let _e1575 = phi_2718_;
+                            phi_2723_ = type_22(_e1575, _e1457.member.member.member_1, _e1457.member.member.member_2, _e1457.member.member.member_3);
                         } else {
-                            phi_2717_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_2723_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1574 = phi_2717_;
+                        let _e1580 = phi_2723_;
                         if _e93 {
                         } else {
                             break;
                         }
-                        global_4.member[_e91] = _e1574;
-                        let _e1578 = local_3;
+                        global_4.member[_e91] = _e1580;
+                        let _e1584 = local_3;
                         if _e94 {
                         } else {
                             break;
                         }
-                        global_5.member[_e91] = _e1578.member_1;
+                        global_5.member[_e91] = _e1584.member_1;
                         if _e92 {
                         } else {
                             break;
                         }
-                        let _e1583 = select(0u, 1u, (_e161 <= _e171));
-                        if (_e1583 > 0u) {
-                            let _e1585 = (1u < _e87);
-                            if _e1585 {
+                        let _e1589 = select(0u, 1u, (_e161 <= _e171));
+                        if (_e1589 > 0u) {
+                            let _e1591 = (1u < _e87);
+                            if _e1591 {
                                 if (0u < _e87) {
                                 } else {
                                     break;
                                 }
-                                let _e1589 = atomicAdd((&global_6.member[0u]), _e1583);
-                                if ((_e1589 + _e1583) < _e1589) {
-                                    if _e1585 {
+                                let _e1595 = atomicAdd((&global_6.member[0u]), _e1589);
+                                if ((_e1595 + _e1589) < _e1595) {
+                                    if _e1591 {
                                     } else {
                                         break;
                                     }
-                                    let _e1594 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1600 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1597 = select(0u, 1u, (_e1574.member_3 != 4294967295u));
-                        if (_e1597 > 0u) {
-                            let _e1599 = (3u < _e87);
-                            if _e1599 {
+                        let _e1603 = select(0u, 1u, (_e1580.member_3 != 4294967295u));
+                        if (_e1603 > 0u) {
+                            let _e1605 = (3u < _e87);
+                            if _e1605 {
                                 if (2u < _e87) {
                                 } else {
                                     break;
                                 }
-                                let _e1603 = atomicAdd((&global_6.member[2u]), _e1597);
-                                if ((_e1603 + _e1597) < _e1603) {
-                                    if _e1599 {
+                                let _e1609 = atomicAdd((&global_6.member[2u]), _e1603);
+                                if ((_e1609 + _e1603) < _e1609) {
+                                    if _e1605 {
                                     } else {
                                         break;
                                     }
-                                    let _e1608 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1614 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1578.member_1 > 0u) {
-                            let _e1610 = (5u < _e87);
-                            if _e1610 {
+                        if (_e1584.member_1 > 0u) {
+                            let _e1616 = (5u < _e87);
+                            if _e1616 {
                                 if (4u < _e87) {
                                 } else {
                                     break;
                                 }
-                                let _e1614 = atomicAdd((&global_6.member[4u]), _e1578.member_1);
-                                if ((_e1614 + _e1578.member_1) < _e1614) {
-                                    if _e1610 {
+                                let _e1620 = atomicAdd((&global_6.member[4u]), _e1584.member_1);
+                                if ((_e1620 + _e1584.member_1) < _e1620) {
+                                    if _e1616 {
                                     } else {
                                         break;
                                     }
-                                    let _e1619 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e1625 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

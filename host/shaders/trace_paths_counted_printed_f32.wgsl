@@ -147,27 +147,16 @@ fn function_() {
     var phi_1019_: u32;
     var phi_1027_: f32;
     var phi_1028_: f32;
-    var phi_3668_: bool;
+    var phi_3674_: bool;
     var phi_1120_: type_41;
-    var phi_1123_: bool;
-    var phi_1125_: u32;
+    var phi_1123_: u32;
+    var phi_1125_: bool;
     var phi_1127_: u32;
     var phi_1129_: type_52;
     var phi_1140_: bool;
     var phi_1226_: bool;
     var phi_1227_: u32;
     var phi_1228_: type_52;
-    var phi_2348_: type_45;
-    var phi_3237_: type_52;
-    var phi_3314_: type_52;
-    var phi_3315_: u32;
-    var phi_3316_: type_52;
-    var phi_3318_: u32;
-    var phi_3319_: type_52;
-    var phi_3320_: bool;
-    var phi_3327_: type_52;
-    var phi_3332_: bool;
-    var phi_3334_: type_52;
     var phi_1246_: type_41;
     var phi_1249_: type_7;
     var phi_1250_: type_7;
@@ -215,51 +204,65 @@ fn function_() {
     var phi_2321_: type_41;
     var phi_2322_: type_41;
     var phi_1247_: type_41;
-    var phi_3662_: bool;
-    var phi_3826_: bool;
-    var phi_3339_: type_41;
-    var phi_3340_: bool;
-    var phi_3341_: u32;
-    var phi_3342_: type_52;
-    var phi_3825_: bool;
-    var phi_3343_: type_41;
-    var phi_3344_: bool;
-    var phi_3345_: u32;
-    var phi_3346_: u32;
-    var phi_3347_: type_52;
-    var phi_3824_: bool;
-    var phi_3348_: type_41;
-    var phi_3349_: bool;
+    var phi_3668_: bool;
+    var phi_3887_: bool;
+    var phi_2323_: type_41;
+    var phi_2344_: type_45;
+    var phi_3233_: type_52;
+    var phi_3309_: type_52;
+    var phi_3310_: u32;
+    var phi_3311_: type_52;
+    var phi_3313_: u32;
+    var phi_3314_: type_52;
+    var phi_3315_: bool;
+    var phi_3322_: type_52;
+    var phi_3327_: bool;
+    var phi_3329_: type_52;
+    var phi_3334_: type_41;
+    var phi_3335_: bool;
+    var phi_3336_: u32;
+    var phi_3337_: type_52;
+    var phi_3345_: type_41;
+    var phi_3348_: type_52;
+    var phi_3831_: bool;
+    var phi_3349_: type_41;
     var phi_3350_: u32;
-    var phi_3351_: u32;
-    var phi_3352_: type_52;
-    var phi_3823_: bool;
+    var phi_3351_: bool;
+    var phi_3352_: u32;
+    var phi_3353_: type_52;
+    var phi_3830_: bool;
+    var phi_3354_: type_41;
+    var phi_3355_: u32;
+    var phi_3356_: bool;
+    var phi_3357_: u32;
+    var phi_3358_: type_52;
+    var phi_3829_: bool;
     var phi_1121_: type_41;
-    var phi_1124_: bool;
-    var phi_1126_: u32;
+    var phi_1124_: u32;
+    var phi_1126_: bool;
     var phi_1128_: u32;
     var phi_1130_: type_52;
-    var phi_3353_: bool;
-    var phi_3822_: bool;
+    var phi_3359_: bool;
+    var phi_3828_: bool;
     var local_10: type_41;
-    var phi_3391_: f32;
-    var phi_3393_: f32;
-    var phi_3394_: bool;
-    var phi_3395_: f32;
-    var phi_3396_: bool;
-    var phi_3582_: u32;
-    var phi_3600_: bool;
-    var phi_3603_: bool;
-    var phi_3616_: f32;
-    var phi_3617_: f32;
+    var phi_3397_: f32;
+    var phi_3399_: f32;
+    var phi_3400_: bool;
+    var phi_3401_: f32;
+    var phi_3402_: bool;
+    var phi_3588_: u32;
+    var phi_3606_: bool;
+    var phi_3609_: bool;
     var phi_3622_: f32;
     var phi_3623_: f32;
-    var phi_3624_: bool;
-    var phi_3632_: f32;
-    var phi_3411_: f32;
-    var phi_3412_: f32;
-    var phi_3424_: f32;
-    var phi_3429_: type_23;
+    var phi_3628_: f32;
+    var phi_3629_: f32;
+    var phi_3630_: bool;
+    var phi_3638_: f32;
+    var phi_3417_: f32;
+    var phi_3418_: f32;
+    var phi_3430_: f32;
+    var phi_3435_: type_23;
     var local_11: type_41;
     var local_12: type_41;
 
@@ -621,14 +624,14 @@ fn function_() {
                             break;
                         }
                         let _e624 = local_8[_e613];
-                        phi_3668_ = false;
+                        phi_3674_ = false;
                         phi_1120_ = type_41(type_38(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e593), 0u, 0u);
-                        phi_1123_ = (_e595 <= _e593);
-                        phi_1125_ = ((3u * _e90) + 1u);
+                        phi_1123_ = ((3u * _e90) + 1u);
+                        phi_1125_ = (_e595 <= _e593);
                         phi_1127_ = 0u;
                         phi_1129_ = type_52(type_50(array<f32, 3>(_e608, _e612, _e616), array<f32, 3>(_e620, _e622, _e624)), select(0u, 2147483648u, (_e90 == 0u)));
                         loop {
-                            let _e632 = phi_3668_;
+                            let _e632 = phi_3674_;
                             let _e634 = phi_1120_;
                             let _e636 = phi_1123_;
                             let _e638 = phi_1125_;
@@ -636,17 +639,17 @@ fn function_() {
                             let _e642 = phi_1129_;
                             local_10 = _e634;
                             local_11 = _e634;
-                            if _e636 {
+                            if _e638 {
                                 phi_1140_ = true;
                             } else {
                                 phi_1140_ = (_e640 > 0u);
                             }
                             let _e645 = phi_1140_;
                             if _e645 {
-                                let _e646 = (_e638 > 0u);
+                                let _e646 = (_e636 > 0u);
                                 if _e646 {
-                                    if _e636 {
-                                        phi_1226_ = _e636;
+                                    if _e638 {
+                                        phi_1226_ = _e638;
                                         phi_1227_ = _e640;
                                         phi_1228_ = _e642;
                                     } else {
@@ -655,49 +658,49 @@ fn function_() {
                                         let _e649 = (_e648 < 128u);
                                         if _e649 {
                                         } else {
-                                            phi_3822_ = true;
+                                            phi_3828_ = true;
                                             break;
                                         }
                                         let _e651 = local_6[_e648];
                                         if _e649 {
                                         } else {
-                                            phi_3822_ = true;
+                                            phi_3828_ = true;
                                             break;
                                         }
                                         let _e653 = local_5[_e648];
                                         if _e649 {
                                         } else {
-                                            phi_3822_ = true;
+                                            phi_3828_ = true;
                                             break;
                                         }
                                         let _e655 = local_4[_e648];
                                         if _e649 {
                                         } else {
-                                            phi_3822_ = true;
+                                            phi_3828_ = true;
                                             break;
                                         }
                                         let _e657 = local_3[_e648];
                                         if _e649 {
                                         } else {
-                                            phi_3822_ = true;
+                                            phi_3828_ = true;
                                             break;
                                         }
                                         let _e660 = local_2[_e648];
                                         if _e649 {
                                         } else {
-                                            phi_3822_ = true;
+                                            phi_3828_ = true;
                                             break;
                                         }
                                         let _e662 = local_1[_e648];
                                         if _e649 {
                                         } else {
-                                            phi_3822_ = true;
+                                            phi_3828_ = true;
                                             break;
                                         }
                                         let _e664 = local[_e648];
                                         if _e649 {
                                         } else {
-                                            phi_3822_ = true;
+                                            phi_3828_ = true;
                                             break;
                                         }
                                         let _e669 = local_7[_e648];
@@ -709,910 +712,926 @@ fn function_() {
                                     let _e676 = phi_1227_;
                                     let _e678 = phi_1228_;
                                     if _e674 {
-                                        if ((_e678.member_1 & 2147483648u) != 0u) {
+                                        let _e682 = ((_e678.member_1 & 2147483648u) != 0u);
+                                        if _e682 {
                                             phi_1246_ = _e634;
                                             phi_1249_ = type_7(0u, ((_e678.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1061 = phi_1246_;
-                                                let _e1063 = phi_1249_;
-                                                local_12 = _e1061;
-                                                if (_e1063.member < _e1063.member_1) {
-                                                    phi_1250_ = type_7((_e1063.member + 1u), _e1063.member_1);
-                                                    phi_1272_ = type_7(1u, _e1063.member);
+                                                let _e689 = phi_1246_;
+                                                let _e691 = phi_1249_;
+                                                local_12 = _e689;
+                                                if (_e691.member < _e691.member_1) {
+                                                    phi_1250_ = type_7((_e691.member + 1u), _e691.member_1);
+                                                    phi_1272_ = type_7(1u, _e691.member);
                                                 } else {
-                                                    phi_1250_ = _e1063;
+                                                    phi_1250_ = _e691;
                                                     phi_1272_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e1076 = phi_1250_;
-                                                let _e1078 = phi_1272_;
-                                                let _e1082 = (bitcast<i32>(_e1078.member) != 0i);
-                                                if _e1082 {
-                                                    let _e1088 = type_41(_e1061.member, _e1061.member_1, (_e1061.member_2 + 1u));
-                                                    let _e1089 = ((_e678.member_1 & 268435455u) + _e1078.member_1);
-                                                    let _e1090 = (_e1089 < _e92);
-                                                    if _e1090 {
-                                                        if _e1090 {
+                                                let _e704 = phi_1250_;
+                                                let _e706 = phi_1272_;
+                                                let _e710 = (bitcast<i32>(_e706.member) != 0i);
+                                                if _e710 {
+                                                    let _e716 = type_41(_e689.member, _e689.member_1, (_e689.member_2 + 1u));
+                                                    let _e717 = ((_e678.member_1 & 268435455u) + _e706.member_1);
+                                                    let _e718 = (_e717 < _e92);
+                                                    if _e718 {
+                                                        if _e718 {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
-                                                        let _e1094 = global_1.member[_e1089].member_1;
-                                                        phi_1296_ = _e1094;
+                                                        let _e722 = global_1.member[_e717].member_1;
+                                                        phi_1296_ = _e722;
                                                     } else {
                                                         phi_1296_ = 4294967295u;
                                                     }
-                                                    let _e1096 = phi_1296_;
-                                                    if (_e1089 >= _e92) {
+                                                    let _e724 = phi_1296_;
+                                                    if (_e717 >= _e92) {
                                                         phi_1388_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1090 {
+                                                        if _e718 {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
                                                         if (_e605 < 9u) {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
-                                                        let _e1103 = global_1.member[_e1089].member[_e605];
+                                                        let _e731 = global_1.member[_e717].member[_e605];
                                                         if (_e609 < 9u) {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
-                                                        let _e1109 = global_1.member[_e1089].member[_e609];
+                                                        let _e737 = global_1.member[_e717].member[_e609];
                                                         if (_e613 < 9u) {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
-                                                        let _e1115 = global_1.member[_e1089].member[_e613];
-                                                        let _e1117 = (3u + _e605);
-                                                        if (_e1117 < 9u) {
+                                                        let _e743 = global_1.member[_e717].member[_e613];
+                                                        let _e745 = (3u + _e605);
+                                                        if (_e745 < 9u) {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
-                                                        let _e1123 = global_1.member[_e1089].member[_e1117];
-                                                        let _e1124 = (3u + _e609);
-                                                        if (_e1124 < 9u) {
+                                                        let _e751 = global_1.member[_e717].member[_e745];
+                                                        let _e752 = (3u + _e609);
+                                                        if (_e752 < 9u) {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
-                                                        let _e1130 = global_1.member[_e1089].member[_e1124];
-                                                        let _e1131 = (3u + _e613);
-                                                        if (_e1131 < 9u) {
+                                                        let _e758 = global_1.member[_e717].member[_e752];
+                                                        let _e759 = (3u + _e613);
+                                                        if (_e759 < 9u) {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
-                                                        let _e1137 = global_1.member[_e1089].member[_e1131];
-                                                        let _e1139 = (6u + _e605);
-                                                        if (_e1139 < 9u) {
+                                                        let _e765 = global_1.member[_e717].member[_e759];
+                                                        let _e767 = (6u + _e605);
+                                                        if (_e767 < 9u) {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
-                                                        let _e1145 = global_1.member[_e1089].member[_e1139];
-                                                        let _e1146 = (6u + _e609);
-                                                        if (_e1146 < 9u) {
+                                                        let _e773 = global_1.member[_e717].member[_e767];
+                                                        let _e774 = (6u + _e609);
+                                                        if (_e774 < 9u) {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
-                                                        let _e1152 = global_1.member[_e1089].member[_e1146];
-                                                        let _e1153 = (6u + _e613);
-                                                        if (_e1153 < 9u) {
+                                                        let _e780 = global_1.member[_e717].member[_e774];
+                                                        let _e781 = (6u + _e613);
+                                                        if (_e781 < 9u) {
                                                         } else {
-                                                            phi_3662_ = true;
+                                                            phi_3668_ = true;
                                                             break;
                                                         }
-                                                        let _e1159 = global_1.member[_e1089].member[_e1153];
-                                                        phi_1388_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1103, _e1109, _e1115), array<f32, 3>(_e1123, _e1130, _e1137), array<f32, 3>(_e1145, _e1152, _e1159));
+                                                        let _e787 = global_1.member[_e717].member[_e781];
+                                                        phi_1388_ = array<array<f32, 3>, 3>(array<f32, 3>(_e731, _e737, _e743), array<f32, 3>(_e751, _e758, _e765), array<f32, 3>(_e773, _e780, _e787));
                                                     }
-                                                    let _e1163 = phi_1388_;
-                                                    let _e1172 = (_e1163[0][2] - _e442);
-                                                    let _e1175 = (((_e1163[0][0] - _e309) * _e481) - (_e1172 * _e349));
-                                                    let _e1178 = (((_e1163[0][1] - _e376) * _e481) - (_e1172 * _e415));
-                                                    let _e1185 = (_e1163[1][2] - _e442);
-                                                    let _e1188 = (((_e1163[1][0] - _e309) * _e481) - (_e1185 * _e349));
-                                                    let _e1191 = (((_e1163[1][1] - _e376) * _e481) - (_e1185 * _e415));
-                                                    let _e1198 = (_e1163[2][2] - _e442);
-                                                    let _e1201 = (((_e1163[2][0] - _e309) * _e481) - (_e1198 * _e349));
-                                                    let _e1204 = (((_e1163[2][1] - _e376) * _e481) - (_e1198 * _e415));
-                                                    let _e1205 = (_e1201 * _e1191);
-                                                    let _e1206 = (_e1204 * _e1188);
-                                                    let _e1207 = (_e1175 * _e1204);
-                                                    let _e1208 = (_e1178 * _e1201);
-                                                    let _e1209 = (_e1188 * _e1178);
-                                                    let _e1210 = (_e1191 * _e1175);
-                                                    let _e1215 = (((_e1205 >= _e1206) && (_e1207 >= _e1208)) && (_e1209 >= _e1210));
-                                                    if (_e1215 || (((_e1205 <= _e1206) && (_e1207 <= _e1208)) && (_e1209 <= _e1210))) {
-                                                        let _e1222 = select(-1f, 1f, _e1215);
-                                                        let _e1224 = ((_e1205 - _e1206) * _e1222);
-                                                        let _e1226 = select(0f, _e1224, (_e1224 > 0f));
-                                                        let _e1228 = ((_e1207 - _e1208) * _e1222);
-                                                        let _e1230 = select(0f, _e1228, (_e1228 > 0f));
-                                                        let _e1232 = ((_e1209 - _e1210) * _e1222);
-                                                        let _e1234 = select(0f, _e1232, (_e1232 > 0f));
-                                                        let _e1236 = ((_e1226 + _e1230) + _e1234);
-                                                        if (_e1236 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e791 = phi_1388_;
+                                                    let _e800 = (_e791[0][2] - _e442);
+                                                    let _e803 = (((_e791[0][0] - _e309) * _e481) - (_e800 * _e349));
+                                                    let _e806 = (((_e791[0][1] - _e376) * _e481) - (_e800 * _e415));
+                                                    let _e813 = (_e791[1][2] - _e442);
+                                                    let _e816 = (((_e791[1][0] - _e309) * _e481) - (_e813 * _e349));
+                                                    let _e819 = (((_e791[1][1] - _e376) * _e481) - (_e813 * _e415));
+                                                    let _e826 = (_e791[2][2] - _e442);
+                                                    let _e829 = (((_e791[2][0] - _e309) * _e481) - (_e826 * _e349));
+                                                    let _e832 = (((_e791[2][1] - _e376) * _e481) - (_e826 * _e415));
+                                                    let _e833 = (_e829 * _e819);
+                                                    let _e834 = (_e832 * _e816);
+                                                    let _e835 = (_e803 * _e832);
+                                                    let _e836 = (_e806 * _e829);
+                                                    let _e837 = (_e816 * _e806);
+                                                    let _e838 = (_e819 * _e803);
+                                                    let _e843 = (((_e833 >= _e834) && (_e835 >= _e836)) && (_e837 >= _e838));
+                                                    if (_e843 || (((_e833 <= _e834) && (_e835 <= _e836)) && (_e837 <= _e838))) {
+                                                        let _e850 = select(-1f, 1f, _e843);
+                                                        let _e852 = ((_e833 - _e834) * _e850);
+                                                        let _e854 = select(0f, _e852, (_e852 > 0f));
+                                                        let _e856 = ((_e835 - _e836) * _e850);
+                                                        let _e858 = select(0f, _e856, (_e856 > 0f));
+                                                        let _e860 = ((_e837 - _e838) * _e850);
+                                                        let _e862 = select(0f, _e860, (_e860 > 0f));
+                                                        let _e864 = ((_e854 + _e858) + _e862);
+                                                        if (_e864 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2272_ = type_23();
                                                             phi_2273_ = true;
                                                             phi_2274_ = false;
                                                         } else {
-                                                            let _e1239 = select(_e1188, _e1175, (_e1175 < _e1188));
-                                                            if (select(_e1201, _e1239, (_e1239 < _e1201)) > 0f) {
+                                                            let _e867 = select(_e816, _e803, (_e803 < _e816));
+                                                            if (select(_e829, _e867, (_e867 < _e829)) > 0f) {
                                                                 phi_1540_ = true;
                                                             } else {
-                                                                let _e1244 = select(_e1188, _e1175, (_e1175 > _e1188));
-                                                                phi_1540_ = (select(_e1201, _e1244, (_e1244 > _e1201)) < 0f);
+                                                                let _e872 = select(_e816, _e803, (_e803 > _e816));
+                                                                phi_1540_ = (select(_e829, _e872, (_e872 > _e829)) < 0f);
                                                             }
-                                                            let _e1249 = phi_1540_;
-                                                            if _e1249 {
+                                                            let _e877 = phi_1540_;
+                                                            if _e877 {
                                                                 phi_2269_ = type_23();
                                                                 phi_2270_ = true;
                                                                 phi_2271_ = false;
                                                             } else {
-                                                                let _e1251 = select(_e1191, _e1178, (_e1178 < _e1191));
-                                                                if (select(_e1204, _e1251, (_e1251 < _e1204)) > 0f) {
+                                                                let _e879 = select(_e819, _e806, (_e806 < _e819));
+                                                                if (select(_e832, _e879, (_e879 < _e832)) > 0f) {
                                                                     phi_1569_ = true;
                                                                 } else {
-                                                                    let _e1256 = select(_e1191, _e1178, (_e1178 > _e1191));
-                                                                    phi_1569_ = (select(_e1204, _e1256, (_e1256 > _e1204)) < 0f);
+                                                                    let _e884 = select(_e819, _e806, (_e806 > _e819));
+                                                                    phi_1569_ = (select(_e832, _e884, (_e884 > _e832)) < 0f);
                                                                 }
-                                                                let _e1261 = phi_1569_;
-                                                                if _e1261 {
+                                                                let _e889 = phi_1569_;
+                                                                if _e889 {
                                                                     phi_2267_ = type_23();
                                                                     phi_2268_ = false;
                                                                 } else {
-                                                                    let _e1263 = select(_e1163[1][0], _e1163[0][0], (_e1163[0][0] < _e1163[1][0]));
-                                                                    let _e1267 = select(_e1163[1][0], _e1163[0][0], (_e1163[0][0] > _e1163[1][0]));
-                                                                    let _e1271 = select(_e1163[1][1], _e1163[0][1], (_e1163[0][1] < _e1163[1][1]));
-                                                                    let _e1275 = select(_e1163[1][1], _e1163[0][1], (_e1163[0][1] > _e1163[1][1]));
-                                                                    let _e1279 = select(_e1163[1][2], _e1163[0][2], (_e1163[0][2] < _e1163[1][2]));
-                                                                    let _e1283 = select(_e1163[1][2], _e1163[0][2], (_e1163[0][2] > _e1163[1][2]));
-                                                                    let _e1288 = ((select(_e1163[2][0], _e1263, (_e1263 < _e1163[2][0])) - _e347) * _e352);
-                                                                    let _e1289 = ((select(_e1163[2][0], _e1267, (_e1267 > _e1163[2][0])) - _e348) * _e352);
-                                                                    let _e1292 = ((select(_e1163[2][1], _e1271, (_e1271 < _e1163[2][1])) - _e413) * _e418);
-                                                                    let _e1293 = ((select(_e1163[2][1], _e1275, (_e1275 > _e1163[2][1])) - _e414) * _e418);
-                                                                    let _e1296 = ((select(_e1163[2][2], _e1279, (_e1279 < _e1163[2][2])) - _e479) * _e484);
-                                                                    let _e1297 = ((select(_e1163[2][2], _e1283, (_e1283 > _e1163[2][2])) - _e480) * _e484);
-                                                                    let _e1299 = select(_e1297, _e1296, (_e1296 < _e1297));
-                                                                    let _e1301 = select(_e1297, _e1296, (_e1296 > _e1297));
-                                                                    let _e1303 = select(_e1289, _e1288, (_e1288 < _e1289));
-                                                                    let _e1305 = select(_e1293, _e1292, (_e1292 < _e1293));
-                                                                    let _e1307 = select(_e1305, _e1303, (_e1303 > _e1305));
-                                                                    let _e1309 = select(_e1299, _e1307, (_e1307 > _e1299));
-                                                                    let _e1311 = select(_e1289, _e1288, (_e1288 > _e1289));
-                                                                    let _e1313 = select(_e1293, _e1292, (_e1292 > _e1293));
-                                                                    let _e1315 = select(_e1313, _e1311, (_e1311 < _e1313));
-                                                                    let _e1317 = select(_e1301, _e1315, (_e1315 < _e1301));
-                                                                    let _e1318 = -(_e1299);
-                                                                    let _e1324 = select(_e595, _e1309, (_e1309 > _e595));
-                                                                    if (_e1324 > (_e1317 + (select(_e1318, _e1301, (_e1301 > _e1318)) * 0.0000019073523f))) {
+                                                                    let _e891 = select(_e791[1][0], _e791[0][0], (_e791[0][0] < _e791[1][0]));
+                                                                    let _e895 = select(_e791[1][0], _e791[0][0], (_e791[0][0] > _e791[1][0]));
+                                                                    let _e899 = select(_e791[1][1], _e791[0][1], (_e791[0][1] < _e791[1][1]));
+                                                                    let _e903 = select(_e791[1][1], _e791[0][1], (_e791[0][1] > _e791[1][1]));
+                                                                    let _e907 = select(_e791[1][2], _e791[0][2], (_e791[0][2] < _e791[1][2]));
+                                                                    let _e911 = select(_e791[1][2], _e791[0][2], (_e791[0][2] > _e791[1][2]));
+                                                                    let _e916 = ((select(_e791[2][0], _e891, (_e891 < _e791[2][0])) - _e347) * _e352);
+                                                                    let _e917 = ((select(_e791[2][0], _e895, (_e895 > _e791[2][0])) - _e348) * _e352);
+                                                                    let _e920 = ((select(_e791[2][1], _e899, (_e899 < _e791[2][1])) - _e413) * _e418);
+                                                                    let _e921 = ((select(_e791[2][1], _e903, (_e903 > _e791[2][1])) - _e414) * _e418);
+                                                                    let _e924 = ((select(_e791[2][2], _e907, (_e907 < _e791[2][2])) - _e479) * _e484);
+                                                                    let _e925 = ((select(_e791[2][2], _e911, (_e911 > _e791[2][2])) - _e480) * _e484);
+                                                                    let _e927 = select(_e925, _e924, (_e924 < _e925));
+                                                                    let _e929 = select(_e925, _e924, (_e924 > _e925));
+                                                                    let _e931 = select(_e917, _e916, (_e916 < _e917));
+                                                                    let _e933 = select(_e921, _e920, (_e920 < _e921));
+                                                                    let _e935 = select(_e933, _e931, (_e931 > _e933));
+                                                                    let _e937 = select(_e927, _e935, (_e935 > _e927));
+                                                                    let _e939 = select(_e917, _e916, (_e916 > _e917));
+                                                                    let _e941 = select(_e921, _e920, (_e920 > _e921));
+                                                                    let _e943 = select(_e941, _e939, (_e939 < _e941));
+                                                                    let _e945 = select(_e929, _e943, (_e943 < _e929));
+                                                                    let _e946 = -(_e927);
+                                                                    let _e952 = select(_e595, _e937, (_e937 > _e595));
+                                                                    if (_e952 > (_e945 + (select(_e946, _e929, (_e929 > _e946)) * 0.0000019073523f))) {
                                                                         phi_2262_ = type_23();
                                                                         phi_2263_ = true;
                                                                     } else {
-                                                                        let _e1326 = (_e1324 > _e1061.member.member_1);
-                                                                        if _e1326 {
+                                                                        let _e954 = (_e952 > _e689.member.member_1);
+                                                                        if _e954 {
                                                                             phi_2261_ = type_23();
                                                                         } else {
-                                                                            let _e1327 = vec3<f32>(_e1163[0][0], _e1163[0][1], _e1163[0][2]);
-                                                                            let _e1328 = vec3<f32>(_e1163[1][0], _e1163[1][1], _e1163[1][2]);
-                                                                            let _e1329 = vec3<f32>(_e1163[2][0], _e1163[2][1], _e1163[2][2]);
-                                                                            let _e1330 = (_e1163[1][0] - _e1163[0][0]);
-                                                                            let _e1331 = (_e1163[1][1] - _e1163[0][1]);
-                                                                            let _e1332 = (_e1163[1][2] - _e1163[0][2]);
-                                                                            let _e1333 = vec3<f32>(_e1330, _e1331, _e1332);
-                                                                            let _e1334 = (_e1163[2][0] - _e1163[1][0]);
-                                                                            let _e1335 = (_e1163[2][1] - _e1163[1][1]);
-                                                                            let _e1336 = (_e1163[2][2] - _e1163[1][2]);
-                                                                            let _e1337 = vec3<f32>(_e1334, _e1335, _e1336);
-                                                                            let _e1338 = (_e1163[0][0] - _e1163[2][0]);
-                                                                            let _e1339 = (_e1163[0][1] - _e1163[2][1]);
-                                                                            let _e1340 = (_e1163[0][2] - _e1163[2][2]);
-                                                                            let _e1341 = vec3<f32>(_e1338, _e1339, _e1340);
-                                                                            let _e1344 = bitcast<f32>((bitcast<u32>(_e1330) & 2147483647u));
-                                                                            let _e1347 = bitcast<f32>((bitcast<u32>(_e1331) & 2147483647u));
-                                                                            let _e1349 = select(_e1347, _e1344, (_e1344 > _e1347));
-                                                                            let _e1352 = bitcast<f32>((bitcast<u32>(_e1332) & 2147483647u));
-                                                                            let _e1354 = select(_e1352, _e1349, (_e1349 > _e1352));
-                                                                            let _e1357 = bitcast<f32>((bitcast<u32>(_e1334) & 2147483647u));
-                                                                            let _e1360 = bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u));
-                                                                            let _e1362 = select(_e1360, _e1357, (_e1357 > _e1360));
-                                                                            let _e1365 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
-                                                                            let _e1367 = select(_e1365, _e1362, (_e1362 > _e1365));
-                                                                            let _e1370 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
-                                                                            let _e1373 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
-                                                                            let _e1375 = select(_e1373, _e1370, (_e1370 > _e1373));
-                                                                            let _e1378 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
-                                                                            let _e1380 = select(_e1378, _e1375, (_e1375 > _e1378));
-                                                                            let _e1382 = select(_e1367, _e1354, (_e1354 > _e1367));
-                                                                            let _e1384 = select(_e1380, _e1382, (_e1382 > _e1380));
-                                                                            if (_e1354 == _e1384) {
-                                                                                phi_1988_ = _e1191;
-                                                                                phi_1989_ = _e1188;
-                                                                                phi_1990_ = _e1178;
-                                                                                phi_1991_ = _e1175;
-                                                                                phi_1992_ = _e1327;
-                                                                                phi_1993_ = _e1341;
-                                                                                phi_1994_ = _e1337;
-                                                                                phi_1995_ = _e1333;
+                                                                            let _e955 = vec3<f32>(_e791[0][0], _e791[0][1], _e791[0][2]);
+                                                                            let _e956 = vec3<f32>(_e791[1][0], _e791[1][1], _e791[1][2]);
+                                                                            let _e957 = vec3<f32>(_e791[2][0], _e791[2][1], _e791[2][2]);
+                                                                            let _e958 = (_e791[1][0] - _e791[0][0]);
+                                                                            let _e959 = (_e791[1][1] - _e791[0][1]);
+                                                                            let _e960 = (_e791[1][2] - _e791[0][2]);
+                                                                            let _e961 = vec3<f32>(_e958, _e959, _e960);
+                                                                            let _e962 = (_e791[2][0] - _e791[1][0]);
+                                                                            let _e963 = (_e791[2][1] - _e791[1][1]);
+                                                                            let _e964 = (_e791[2][2] - _e791[1][2]);
+                                                                            let _e965 = vec3<f32>(_e962, _e963, _e964);
+                                                                            let _e966 = (_e791[0][0] - _e791[2][0]);
+                                                                            let _e967 = (_e791[0][1] - _e791[2][1]);
+                                                                            let _e968 = (_e791[0][2] - _e791[2][2]);
+                                                                            let _e969 = vec3<f32>(_e966, _e967, _e968);
+                                                                            let _e972 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
+                                                                            let _e975 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
+                                                                            let _e977 = select(_e975, _e972, (_e972 > _e975));
+                                                                            let _e980 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
+                                                                            let _e982 = select(_e980, _e977, (_e977 > _e980));
+                                                                            let _e985 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
+                                                                            let _e988 = bitcast<f32>((bitcast<u32>(_e963) & 2147483647u));
+                                                                            let _e990 = select(_e988, _e985, (_e985 > _e988));
+                                                                            let _e993 = bitcast<f32>((bitcast<u32>(_e964) & 2147483647u));
+                                                                            let _e995 = select(_e993, _e990, (_e990 > _e993));
+                                                                            let _e998 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
+                                                                            let _e1001 = bitcast<f32>((bitcast<u32>(_e967) & 2147483647u));
+                                                                            let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
+                                                                            let _e1006 = bitcast<f32>((bitcast<u32>(_e968) & 2147483647u));
+                                                                            let _e1008 = select(_e1006, _e1003, (_e1003 > _e1006));
+                                                                            let _e1010 = select(_e995, _e982, (_e982 > _e995));
+                                                                            let _e1012 = select(_e1008, _e1010, (_e1010 > _e1008));
+                                                                            if (_e982 == _e1012) {
+                                                                                phi_1988_ = _e819;
+                                                                                phi_1989_ = _e816;
+                                                                                phi_1990_ = _e806;
+                                                                                phi_1991_ = _e803;
+                                                                                phi_1992_ = _e955;
+                                                                                phi_1993_ = _e969;
+                                                                                phi_1994_ = _e965;
+                                                                                phi_1995_ = _e961;
                                                                             } else {
-                                                                                let _e1386 = (_e1367 == _e1384);
-                                                                                let _e1391 = vec3(_e1386);
-                                                                                phi_1988_ = select(_e1178, _e1204, _e1386);
-                                                                                phi_1989_ = select(_e1175, _e1201, _e1386);
-                                                                                phi_1990_ = select(_e1204, _e1191, _e1386);
-                                                                                phi_1991_ = select(_e1201, _e1188, _e1386);
-                                                                                phi_1992_ = select(_e1329, _e1328, _e1391);
-                                                                                phi_1993_ = select(_e1337, _e1333, _e1391);
-                                                                                phi_1994_ = select(_e1333, _e1341, _e1391);
-                                                                                phi_1995_ = select(_e1341, _e1337, _e1391);
+                                                                                let _e1014 = (_e995 == _e1012);
+                                                                                let _e1019 = vec3(_e1014);
+                                                                                phi_1988_ = select(_e806, _e832, _e1014);
+                                                                                phi_1989_ = select(_e803, _e829, _e1014);
+                                                                                phi_1990_ = select(_e832, _e819, _e1014);
+                                                                                phi_1991_ = select(_e829, _e816, _e1014);
+                                                                                phi_1992_ = select(_e957, _e956, _e1019);
+                                                                                phi_1993_ = select(_e965, _e961, _e1019);
+                                                                                phi_1994_ = select(_e961, _e969, _e1019);
+                                                                                phi_1995_ = select(_e969, _e965, _e1019);
                                                                             }
-                                                                            let _e1397 = phi_1988_;
-                                                                            let _e1399 = phi_1989_;
-                                                                            let _e1401 = phi_1990_;
-                                                                            let _e1403 = phi_1991_;
-                                                                            let _e1405 = phi_1992_;
-                                                                            let _e1407 = phi_1993_;
-                                                                            let _e1409 = phi_1994_;
-                                                                            let _e1411 = phi_1995_;
-                                                                            let _e1418 = ((_e1409.y * _e1407.z) - (_e1407.y * _e1409.z));
-                                                                            let _e1423 = ((_e1409.z * _e1407.x) - (_e1407.z * _e1409.x));
-                                                                            let _e1426 = ((_e1409.x * _e1407.y) - (_e1407.x * _e1409.y));
-                                                                            if (_e1226 >= _e1230) {
-                                                                                phi_2032_ = select(true, false, (_e1226 >= _e1234));
+                                                                            let _e1025 = phi_1988_;
+                                                                            let _e1027 = phi_1989_;
+                                                                            let _e1029 = phi_1990_;
+                                                                            let _e1031 = phi_1991_;
+                                                                            let _e1033 = phi_1992_;
+                                                                            let _e1035 = phi_1993_;
+                                                                            let _e1037 = phi_1994_;
+                                                                            let _e1039 = phi_1995_;
+                                                                            let _e1046 = ((_e1037.y * _e1035.z) - (_e1035.y * _e1037.z));
+                                                                            let _e1051 = ((_e1037.z * _e1035.x) - (_e1035.z * _e1037.x));
+                                                                            let _e1054 = ((_e1037.x * _e1035.y) - (_e1035.x * _e1037.y));
+                                                                            if (_e854 >= _e858) {
+                                                                                phi_2032_ = select(true, false, (_e854 >= _e862));
                                                                             } else {
                                                                                 phi_2032_ = true;
                                                                             }
-                                                                            let _e1431 = phi_2032_;
-                                                                            if _e1431 {
-                                                                                phi_2041_ = select(_e1329, _e1328, vec3((_e1230 >= _e1234)));
+                                                                            let _e1059 = phi_2032_;
+                                                                            if _e1059 {
+                                                                                phi_2041_ = select(_e957, _e956, vec3((_e858 >= _e862)));
                                                                             } else {
-                                                                                phi_2041_ = _e1327;
+                                                                                phi_2041_ = _e955;
                                                                             }
-                                                                            let _e1436 = phi_2041_;
-                                                                            let _e1447 = (((_e1418 * (_e1436.x - _e309)) + (_e1423 * (_e1436.y - _e376))) + (_e1426 * (_e1436.z - _e442)));
-                                                                            let _e1452 = (((_e1418 * _e349) + (_e1423 * _e415)) + (_e1426 * _e481));
-                                                                            let _e1453 = (_e1399 - _e1403);
-                                                                            let _e1454 = (_e1397 - _e1401);
-                                                                            let _e1462 = (-(((_e1403 * _e1453) + (_e1401 * _e1454))) / ((_e1453 * _e1453) + (_e1454 * _e1454)));
-                                                                            let _e1464 = select(1f, _e1462, (_e1462 < 1f));
-                                                                            let _e1466 = select(0f, _e1464, (_e1464 > 0f));
-                                                                            let _e1479 = ((_e1405.x + (_e1411.x * _e1466)) - _e309);
-                                                                            let _e1480 = ((_e1405.y + (_e1411.y * _e1466)) - _e376);
-                                                                            let _e1481 = ((_e1405.z + (_e1411.z * _e1466)) - _e442);
-                                                                            let _e1482 = (_e1481 / _e481);
-                                                                            let _e1494 = bitcast<f32>((bitcast<u32>(_e1479) & 2147483647u));
-                                                                            let _e1497 = bitcast<f32>((bitcast<u32>(_e1480) & 2147483647u));
-                                                                            let _e1499 = select(_e1497, _e1494, (_e1494 > _e1497));
-                                                                            let _e1502 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
-                                                                            let _e1504 = select(_e1502, _e1499, (_e1499 > _e1502));
-                                                                            let _e1510 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
-                                                                            let _e1513 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
-                                                                            let _e1515 = select(_e1513, _e1510, (_e1510 > _e1513));
-                                                                            let _e1518 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1418 * _e1479) + (_e1423 * _e1480)) + (_e1426 * _e1481)) - _e1447)) & 2147483647u)) <= ((0.0000009536743f * select(_e1384, _e1504, (_e1504 > _e1384))) * select(_e1518, _e1515, (_e1515 > _e1518)))) {
-                                                                                let _e1528 = bitcast<f32>((bitcast<u32>(_e1409.x) & 2147483647u));
-                                                                                let _e1531 = bitcast<f32>((bitcast<u32>(_e1409.y) & 2147483647u));
-                                                                                let _e1533 = select(_e1531, _e1528, (_e1528 > _e1531));
-                                                                                let _e1536 = bitcast<f32>((bitcast<u32>(_e1409.z) & 2147483647u));
-                                                                                let _e1542 = bitcast<f32>((bitcast<u32>(_e1407.x) & 2147483647u));
-                                                                                let _e1545 = bitcast<f32>((bitcast<u32>(_e1407.y) & 2147483647u));
-                                                                                let _e1547 = select(_e1545, _e1542, (_e1542 > _e1545));
-                                                                                let _e1550 = bitcast<f32>((bitcast<u32>(_e1407.z) & 2147483647u));
-                                                                                let _e1554 = (bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u)) > ((0.0000038146973f * select(_e1536, _e1533, (_e1533 > _e1536))) * select(_e1550, _e1547, (_e1547 > _e1550))));
-                                                                                if _e1554 {
-                                                                                    phi_2206_ = (_e1447 / _e1452);
+                                                                            let _e1064 = phi_2041_;
+                                                                            let _e1075 = (((_e1046 * (_e1064.x - _e309)) + (_e1051 * (_e1064.y - _e376))) + (_e1054 * (_e1064.z - _e442)));
+                                                                            let _e1080 = (((_e1046 * _e349) + (_e1051 * _e415)) + (_e1054 * _e481));
+                                                                            let _e1081 = (_e1027 - _e1031);
+                                                                            let _e1082 = (_e1025 - _e1029);
+                                                                            let _e1090 = (-(((_e1031 * _e1081) + (_e1029 * _e1082))) / ((_e1081 * _e1081) + (_e1082 * _e1082)));
+                                                                            let _e1092 = select(1f, _e1090, (_e1090 < 1f));
+                                                                            let _e1094 = select(0f, _e1092, (_e1092 > 0f));
+                                                                            let _e1107 = ((_e1033.x + (_e1039.x * _e1094)) - _e309);
+                                                                            let _e1108 = ((_e1033.y + (_e1039.y * _e1094)) - _e376);
+                                                                            let _e1109 = ((_e1033.z + (_e1039.z * _e1094)) - _e442);
+                                                                            let _e1110 = (_e1109 / _e481);
+                                                                            let _e1122 = bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u));
+                                                                            let _e1125 = bitcast<f32>((bitcast<u32>(_e1108) & 2147483647u));
+                                                                            let _e1127 = select(_e1125, _e1122, (_e1122 > _e1125));
+                                                                            let _e1130 = bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u));
+                                                                            let _e1132 = select(_e1130, _e1127, (_e1127 > _e1130));
+                                                                            let _e1138 = bitcast<f32>((bitcast<u32>(_e1046) & 2147483647u));
+                                                                            let _e1141 = bitcast<f32>((bitcast<u32>(_e1051) & 2147483647u));
+                                                                            let _e1143 = select(_e1141, _e1138, (_e1138 > _e1141));
+                                                                            let _e1146 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1046 * _e1107) + (_e1051 * _e1108)) + (_e1054 * _e1109)) - _e1075)) & 2147483647u)) <= ((0.0000009536743f * select(_e1012, _e1132, (_e1132 > _e1012))) * select(_e1146, _e1143, (_e1143 > _e1146)))) {
+                                                                                let _e1156 = bitcast<f32>((bitcast<u32>(_e1037.x) & 2147483647u));
+                                                                                let _e1159 = bitcast<f32>((bitcast<u32>(_e1037.y) & 2147483647u));
+                                                                                let _e1161 = select(_e1159, _e1156, (_e1156 > _e1159));
+                                                                                let _e1164 = bitcast<f32>((bitcast<u32>(_e1037.z) & 2147483647u));
+                                                                                let _e1170 = bitcast<f32>((bitcast<u32>(_e1035.x) & 2147483647u));
+                                                                                let _e1173 = bitcast<f32>((bitcast<u32>(_e1035.y) & 2147483647u));
+                                                                                let _e1175 = select(_e1173, _e1170, (_e1170 > _e1173));
+                                                                                let _e1178 = bitcast<f32>((bitcast<u32>(_e1035.z) & 2147483647u));
+                                                                                let _e1182 = (bitcast<f32>((bitcast<u32>(_e1080) & 2147483647u)) > ((0.0000038146973f * select(_e1164, _e1161, (_e1161 > _e1164))) * select(_e1178, _e1175, (_e1175 > _e1178))));
+                                                                                if _e1182 {
+                                                                                    phi_2206_ = (_e1075 / _e1080);
                                                                                 } else {
                                                                                     phi_2206_ = f32();
                                                                                 }
-                                                                                let _e1557 = phi_2206_;
-                                                                                phi_2208_ = _e1557;
-                                                                                phi_2209_ = select(true, false, _e1554);
+                                                                                let _e1185 = phi_2206_;
+                                                                                phi_2208_ = _e1185;
+                                                                                phi_2209_ = select(true, false, _e1182);
                                                                             } else {
                                                                                 phi_2208_ = f32();
                                                                                 phi_2209_ = true;
                                                                             }
-                                                                            let _e1560 = phi_2208_;
-                                                                            let _e1562 = phi_2209_;
-                                                                            if _e1562 {
-                                                                                let _e1570 = (((_e1418 * (_e1479 - (_e349 * _e1482))) + (_e1423 * (_e1480 - (_e415 * _e1482)))) / _e1452);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1570) & 2147483647u)) <= _e1384) {
-                                                                                    phi_2229_ = (_e1482 + _e1570);
+                                                                            let _e1188 = phi_2208_;
+                                                                            let _e1190 = phi_2209_;
+                                                                            if _e1190 {
+                                                                                let _e1198 = (((_e1046 * (_e1107 - (_e349 * _e1110))) + (_e1051 * (_e1108 - (_e415 * _e1110)))) / _e1080);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u)) <= _e1012) {
+                                                                                    phi_2229_ = (_e1110 + _e1198);
                                                                                 } else {
-                                                                                    phi_2229_ = _e1482;
+                                                                                    phi_2229_ = _e1110;
                                                                                 }
-                                                                                let _e1577 = phi_2229_;
-                                                                                phi_2230_ = _e1577;
+                                                                                let _e1205 = phi_2229_;
+                                                                                phi_2230_ = _e1205;
                                                                             } else {
-                                                                                phi_2230_ = _e1560;
+                                                                                phi_2230_ = _e1188;
                                                                             }
-                                                                            let _e1579 = phi_2230_;
-                                                                            let _e1581 = select(_e1317, _e1579, (_e1579 < _e1317));
-                                                                            let _e1583 = select(_e1309, _e1581, (_e1581 > _e1309));
-                                                                            if (_e1583 >= _e595) {
-                                                                                let _e1585 = (_e1583 <= _e1061.member.member_1);
-                                                                                if _e1585 {
-                                                                                    let _e1586 = (1f / _e1236);
-                                                                                    phi_2253_ = type_23(_e1583, (_e1230 * _e1586), (_e1234 * _e1586), _e1096);
+                                                                            let _e1207 = phi_2230_;
+                                                                            let _e1209 = select(_e945, _e1207, (_e1207 < _e945));
+                                                                            let _e1211 = select(_e937, _e1209, (_e1209 > _e937));
+                                                                            if (_e1211 >= _e595) {
+                                                                                let _e1213 = (_e1211 <= _e689.member.member_1);
+                                                                                if _e1213 {
+                                                                                    let _e1214 = (1f / _e864);
+                                                                                    phi_2253_ = type_23(_e1211, (_e858 * _e1214), (_e862 * _e1214), _e724);
                                                                                 } else {
                                                                                     phi_2253_ = type_23();
                                                                                 }
-                                                                                let _e1591 = phi_2253_;
-                                                                                phi_2255_ = _e1591;
-                                                                                phi_2256_ = select(true, false, _e1585);
+                                                                                let _e1219 = phi_2253_;
+                                                                                phi_2255_ = _e1219;
+                                                                                phi_2256_ = select(true, false, _e1213);
                                                                             } else {
                                                                                 phi_2255_ = type_23();
                                                                                 phi_2256_ = true;
                                                                             }
-                                                                            let _e1594 = phi_2255_;
-                                                                            let _e1596 = phi_2256_;
-                                                                            if _e1596 {
+                                                                            let _e1222 = phi_2255_;
+                                                                            let _e1224 = phi_2256_;
+                                                                            if _e1224 {
                                                                                 phi_2260_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2260_ = _e1594;
+                                                                                phi_2260_ = _e1222;
                                                                             }
-                                                                            let _e1598 = phi_2260_;
-                                                                            phi_2261_ = _e1598;
+                                                                            let _e1226 = phi_2260_;
+                                                                            phi_2261_ = _e1226;
                                                                         }
-                                                                        let _e1600 = phi_2261_;
-                                                                        phi_2262_ = _e1600;
-                                                                        phi_2263_ = _e1326;
+                                                                        let _e1228 = phi_2261_;
+                                                                        phi_2262_ = _e1228;
+                                                                        phi_2263_ = _e954;
                                                                     }
-                                                                    let _e1602 = phi_2262_;
-                                                                    let _e1604 = phi_2263_;
-                                                                    phi_2267_ = _e1602;
-                                                                    phi_2268_ = _e1604;
+                                                                    let _e1230 = phi_2262_;
+                                                                    let _e1232 = phi_2263_;
+                                                                    phi_2267_ = _e1230;
+                                                                    phi_2268_ = _e1232;
                                                                 }
-                                                                let _e1606 = phi_2267_;
-                                                                let _e1608 = phi_2268_;
-                                                                phi_2269_ = _e1606;
-                                                                phi_2270_ = _e1261;
-                                                                phi_2271_ = _e1608;
+                                                                let _e1234 = phi_2267_;
+                                                                let _e1236 = phi_2268_;
+                                                                phi_2269_ = _e1234;
+                                                                phi_2270_ = _e889;
+                                                                phi_2271_ = _e1236;
                                                             }
-                                                            let _e1610 = phi_2269_;
-                                                            let _e1612 = phi_2270_;
-                                                            let _e1614 = phi_2271_;
-                                                            phi_2272_ = _e1610;
-                                                            phi_2273_ = _e1612;
-                                                            phi_2274_ = _e1614;
+                                                            let _e1238 = phi_2269_;
+                                                            let _e1240 = phi_2270_;
+                                                            let _e1242 = phi_2271_;
+                                                            phi_2272_ = _e1238;
+                                                            phi_2273_ = _e1240;
+                                                            phi_2274_ = _e1242;
                                                         }
-                                                        let _e1616 = phi_2272_;
-                                                        let _e1618 = phi_2273_;
-                                                        let _e1620 = phi_2274_;
-                                                        phi_2282_ = _e1616;
-                                                        phi_2283_ = select(_e1620, true, _e1618);
+                                                        let _e1244 = phi_2272_;
+                                                        let _e1246 = phi_2273_;
+                                                        let _e1248 = phi_2274_;
+                                                        phi_2282_ = _e1244;
+                                                        phi_2283_ = select(_e1248, true, _e1246);
                                                     } else {
                                                         phi_2282_ = type_23();
                                                         phi_2283_ = true;
                                                     }
-                                                    let _e1623 = phi_2282_;
-                                                    let _e1625 = phi_2283_;
-                                                    if _e1625 {
+                                                    let _e1251 = phi_2282_;
+                                                    let _e1253 = phi_2283_;
+                                                    if _e1253 {
                                                         phi_2287_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2287_ = _e1623;
+                                                        phi_2287_ = _e1251;
                                                     }
-                                                    let _e1627 = phi_2287_;
-                                                    if (_e1627.member_3 != 4294967295u) {
-                                                        if (_e1096 != _e601) {
-                                                            if (_e1627.member < _e1061.member.member.member) {
+                                                    let _e1255 = phi_2287_;
+                                                    if (_e1255.member_3 != 4294967295u) {
+                                                        if (_e724 != _e601) {
+                                                            if (_e1255.member < _e689.member.member.member) {
                                                                 phi_2313_ = true;
                                                             } else {
-                                                                if (_e1627.member == _e1061.member.member.member) {
-                                                                    phi_2312_ = (_e1627.member_3 < _e1061.member.member.member_3);
+                                                                if (_e1255.member == _e689.member.member.member) {
+                                                                    phi_2312_ = (_e1255.member_3 < _e689.member.member.member_3);
                                                                 } else {
                                                                     phi_2312_ = false;
                                                                 }
-                                                                let _e1642 = phi_2312_;
-                                                                phi_2313_ = _e1642;
+                                                                let _e1270 = phi_2312_;
+                                                                phi_2313_ = _e1270;
                                                             }
-                                                            let _e1644 = phi_2313_;
-                                                            if _e1644 {
-                                                                phi_2320_ = type_41(type_38(_e1627, _e1627.member), _e1088.member_1, _e1088.member_2);
+                                                            let _e1272 = phi_2313_;
+                                                            if _e1272 {
+                                                                phi_2320_ = type_41(type_38(_e1255, _e1255.member), _e716.member_1, _e716.member_2);
                                                             } else {
-                                                                phi_2320_ = _e1088;
+                                                                phi_2320_ = _e716;
                                                             }
-                                                            let _e1651 = phi_2320_;
-                                                            phi_2321_ = _e1651;
+                                                            let _e1279 = phi_2320_;
+                                                            phi_2321_ = _e1279;
                                                         } else {
-                                                            phi_2321_ = _e1088;
+                                                            phi_2321_ = _e716;
                                                         }
-                                                        let _e1653 = phi_2321_;
-                                                        phi_2322_ = _e1653;
+                                                        let _e1281 = phi_2321_;
+                                                        phi_2322_ = _e1281;
                                                     } else {
-                                                        phi_2322_ = _e1088;
+                                                        phi_2322_ = _e716;
                                                     }
-                                                    let _e1655 = phi_2322_;
-                                                    phi_1247_ = _e1655;
+                                                    let _e1283 = phi_2322_;
+                                                    phi_1247_ = _e1283;
                                                 } else {
                                                     phi_1247_ = type_41();
                                                 }
-                                                let _e1657 = phi_1247_;
+                                                let _e1285 = phi_1247_;
                                                 continue;
                                                 continuing {
-                                                    phi_1246_ = _e1657;
-                                                    phi_1249_ = _e1076;
-                                                    phi_3662_ = _e632;
-                                                    break if !(_e1082);
+                                                    phi_1246_ = _e1285;
+                                                    phi_1249_ = _e704;
+                                                    phi_3668_ = _e632;
+                                                    break if !(_e710);
                                                 }
                                             }
-                                            let _e1660 = phi_3662_;
-                                            phi_3822_ = _e1660;
-                                            if _e1660 {
+                                            let _e1288 = phi_3668_;
+                                            phi_3828_ = _e1288;
+                                            if _e1288 {
                                                 break;
                                             }
-                                            phi_3826_ = _e1660;
-                                            let _e1988 = local_12;
-                                            phi_3339_ = _e1988;
-                                            phi_3340_ = false;
-                                            phi_3341_ = _e676;
-                                            phi_3342_ = _e678;
+                                            phi_3887_ = _e1288;
+                                            let _e1984 = local_12;
+                                            phi_2323_ = _e1984;
                                         } else {
-                                            let _e687 = (_e678.member_1 < _e90);
-                                            if _e687 {
-                                                if _e687 {
+                                            phi_3887_ = _e632;
+                                            phi_2323_ = _e634;
+                                        }
+                                        let _e1290 = phi_3887_;
+                                        let _e1292 = phi_2323_;
+                                        if _e682 {
+                                            phi_3334_ = type_41();
+                                            phi_3335_ = bool();
+                                            phi_3336_ = u32();
+                                            phi_3337_ = type_52();
+                                        } else {
+                                            let _e1293 = (_e678.member_1 < _e90);
+                                            if _e1293 {
+                                                if _e1293 {
                                                 } else {
-                                                    phi_3822_ = true;
+                                                    phi_3828_ = true;
                                                     break;
                                                 }
-                                                let _e689 = global_7.member[_e678.member_1];
-                                                phi_2348_ = _e689;
+                                                let _e1295 = global_7.member[_e678.member_1];
+                                                phi_2344_ = _e1295;
                                             } else {
-                                                phi_2348_ = type_45(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2344_ = type_45(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e691 = phi_2348_;
-                                            let _e706 = ((10u * _e262) & 31u);
-                                            let _e709 = ((_e691.member[0] >> bitcast<u32>(_e706)) & 1023u);
-                                            let _e717 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[0] - _e678.member.member[0]) * 0.0009775171f)) ^ _e128));
-                                            let _e722 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e128)));
-                                            let _e726 = select(select(_e678.member.member_1[0], _e722, (_e722 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e709 == 1023u));
-                                            let _e728 = ((10u * _e261) & 31u);
-                                            let _e731 = ((_e691.member[0] >> bitcast<u32>(_e728)) & 1023u);
-                                            let _e739 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[1] - _e678.member.member[1]) * 0.0009775171f)) ^ _e128));
-                                            let _e744 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e128)));
-                                            let _e748 = select(select(_e678.member.member_1[1], _e744, (_e744 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e731 == 1023u));
-                                            let _e750 = ((10u * _e263) & 31u);
-                                            let _e753 = ((_e691.member[0] >> bitcast<u32>(_e750)) & 1023u);
-                                            let _e761 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[2] - _e678.member.member[2]) * 0.0009775171f)) ^ _e128));
-                                            let _e766 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e128)));
-                                            let _e770 = select(select(_e678.member.member_1[2], _e766, (_e766 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e753 == 1023u));
-                                            let _e773 = ((_e691.member[1] >> bitcast<u32>(_e706)) & 1023u);
-                                            let _e781 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e128)));
-                                            let _e785 = select(select(_e678.member.member_1[0], _e781, (_e781 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e773 == 1023u));
-                                            let _e788 = ((_e691.member[1] >> bitcast<u32>(_e728)) & 1023u);
-                                            let _e796 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e128)));
-                                            let _e800 = select(select(_e678.member.member_1[1], _e796, (_e796 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e788 == 1023u));
-                                            let _e803 = ((_e691.member[1] >> bitcast<u32>(_e750)) & 1023u);
-                                            let _e811 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e128)));
-                                            let _e815 = select(select(_e678.member.member_1[2], _e811, (_e811 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e803 == 1023u));
-                                            let _e821 = ((_e691.member_1[0] >> bitcast<u32>(_e706)) & 1023u);
-                                            let _e829 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e128)));
-                                            let _e833 = select(select(_e678.member.member_1[0], _e829, (_e829 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e821 == 1023u));
-                                            let _e836 = ((_e691.member_1[0] >> bitcast<u32>(_e728)) & 1023u);
-                                            let _e844 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e128)));
-                                            let _e848 = select(select(_e678.member.member_1[1], _e844, (_e844 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e836 == 1023u));
-                                            let _e851 = ((_e691.member_1[0] >> bitcast<u32>(_e750)) & 1023u);
-                                            let _e859 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e128)));
-                                            let _e863 = select(select(_e678.member.member_1[2], _e859, (_e859 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e851 == 1023u));
-                                            let _e866 = ((_e691.member_1[1] >> bitcast<u32>(_e706)) & 1023u);
-                                            let _e874 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e128)));
-                                            let _e878 = select(select(_e678.member.member_1[0], _e874, (_e874 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e866 == 1023u));
-                                            let _e881 = ((_e691.member_1[1] >> bitcast<u32>(_e728)) & 1023u);
-                                            let _e889 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e128)));
-                                            let _e893 = select(select(_e678.member.member_1[1], _e889, (_e889 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e881 == 1023u));
-                                            let _e896 = ((_e691.member_1[1] >> bitcast<u32>(_e750)) & 1023u);
-                                            let _e904 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e128)));
-                                            let _e908 = select(select(_e678.member.member_1[2], _e904, (_e904 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e896 == 1023u));
-                                            let _e913 = type_52(type_50(array<f32, 3>(_e726, _e748, _e770), array<f32, 3>(_e785, _e800, _e815)), _e691.member_2);
-                                            let _e918 = type_52(type_50(array<f32, 3>(_e833, _e848, _e863), array<f32, 3>(_e878, _e893, _e908)), _e691.member_3);
-                                            let _e931 = ((_e726 - _e347) * _e352);
-                                            let _e932 = ((_e833 - _e347) * _e352);
-                                            let _e933 = ((_e785 - _e348) * _e352);
-                                            let _e934 = ((_e878 - _e348) * _e352);
-                                            let _e939 = ((_e748 - _e413) * _e418);
-                                            let _e940 = ((_e848 - _e413) * _e418);
-                                            let _e941 = ((_e800 - _e414) * _e418);
-                                            let _e942 = ((_e893 - _e414) * _e418);
-                                            let _e947 = ((_e770 - _e479) * _e484);
-                                            let _e948 = ((_e863 - _e479) * _e484);
-                                            let _e949 = ((_e815 - _e480) * _e484);
-                                            let _e950 = ((_e908 - _e480) * _e484);
-                                            let _e952 = select(_e949, _e947, (_e947 < _e949));
-                                            let _e954 = select(_e950, _e948, (_e948 < _e950));
-                                            let _e956 = select(_e949, _e947, (_e947 > _e949));
-                                            let _e958 = select(_e950, _e948, (_e948 > _e950));
-                                            let _e960 = select(_e933, _e931, (_e931 < _e933));
-                                            let _e962 = select(_e934, _e932, (_e932 < _e934));
-                                            let _e964 = select(_e941, _e939, (_e939 < _e941));
-                                            let _e966 = select(_e942, _e940, (_e940 < _e942));
-                                            let _e968 = select(_e964, _e960, (_e960 > _e964));
-                                            let _e970 = select(_e966, _e962, (_e962 > _e966));
-                                            let _e972 = select(_e952, _e968, (_e968 > _e952));
-                                            let _e974 = select(_e954, _e970, (_e970 > _e954));
-                                            let _e976 = select(_e933, _e931, (_e931 > _e933));
-                                            let _e978 = select(_e934, _e932, (_e932 > _e934));
-                                            let _e980 = select(_e941, _e939, (_e939 > _e941));
-                                            let _e982 = select(_e942, _e940, (_e940 > _e942));
-                                            let _e984 = select(_e980, _e976, (_e976 < _e980));
-                                            let _e986 = select(_e982, _e978, (_e978 < _e982));
-                                            let _e991 = -(_e952);
-                                            let _e992 = -(_e954);
-                                            let _e999 = (select(_e956, _e984, (_e984 < _e956)) + (select(_e991, _e956, (_e956 > _e991)) * 0.0000019073523f));
-                                            let _e1000 = (select(_e958, _e986, (_e986 < _e958)) + (select(_e992, _e958, (_e958 > _e992)) * 0.0000019073523f));
-                                            let _e1002 = select(_e595, _e972, (_e972 > _e595));
-                                            let _e1004 = select(_e595, _e974, (_e974 > _e595));
-                                            let _e1009 = (_e1002 <= select(_e634.member.member_1, _e999, (_e999 < _e634.member.member_1)));
-                                            let _e1010 = (_e1004 <= select(_e634.member.member_1, _e1000, (_e1000 < _e634.member.member_1)));
-                                            let _e1011 = (_e1002 <= _e1004);
-                                            if _e1009 {
-                                                if _e1010 {
-                                                    if _e1011 {
-                                                        phi_3237_ = _e918;
+                                            let _e1297 = phi_2344_;
+                                            let _e1312 = ((10u * _e262) & 31u);
+                                            let _e1315 = ((_e1297.member[0] >> bitcast<u32>(_e1312)) & 1023u);
+                                            let _e1323 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[0] - _e678.member.member[0]) * 0.0009775171f)) ^ _e128));
+                                            let _e1328 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1315)) - 8388608f) * _e1323)) ^ _e128)));
+                                            let _e1332 = select(select(_e678.member.member_1[0], _e1328, (_e1328 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1315 == 1023u));
+                                            let _e1334 = ((10u * _e261) & 31u);
+                                            let _e1337 = ((_e1297.member[0] >> bitcast<u32>(_e1334)) & 1023u);
+                                            let _e1345 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[1] - _e678.member.member[1]) * 0.0009775171f)) ^ _e128));
+                                            let _e1350 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1337)) - 8388608f) * _e1345)) ^ _e128)));
+                                            let _e1354 = select(select(_e678.member.member_1[1], _e1350, (_e1350 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1337 == 1023u));
+                                            let _e1356 = ((10u * _e263) & 31u);
+                                            let _e1359 = ((_e1297.member[0] >> bitcast<u32>(_e1356)) & 1023u);
+                                            let _e1367 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[2] - _e678.member.member[2]) * 0.0009775171f)) ^ _e128));
+                                            let _e1372 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1359)) - 8388608f) * _e1367)) ^ _e128)));
+                                            let _e1376 = select(select(_e678.member.member_1[2], _e1372, (_e1372 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1359 == 1023u));
+                                            let _e1379 = ((_e1297.member[1] >> bitcast<u32>(_e1312)) & 1023u);
+                                            let _e1387 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1379)) - 8388608f) * _e1323)) ^ _e128)));
+                                            let _e1391 = select(select(_e678.member.member_1[0], _e1387, (_e1387 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1379 == 1023u));
+                                            let _e1394 = ((_e1297.member[1] >> bitcast<u32>(_e1334)) & 1023u);
+                                            let _e1402 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1394)) - 8388608f) * _e1345)) ^ _e128)));
+                                            let _e1406 = select(select(_e678.member.member_1[1], _e1402, (_e1402 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1394 == 1023u));
+                                            let _e1409 = ((_e1297.member[1] >> bitcast<u32>(_e1356)) & 1023u);
+                                            let _e1417 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1409)) - 8388608f) * _e1367)) ^ _e128)));
+                                            let _e1421 = select(select(_e678.member.member_1[2], _e1417, (_e1417 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1409 == 1023u));
+                                            let _e1427 = ((_e1297.member_1[0] >> bitcast<u32>(_e1312)) & 1023u);
+                                            let _e1435 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1427)) - 8388608f) * _e1323)) ^ _e128)));
+                                            let _e1439 = select(select(_e678.member.member_1[0], _e1435, (_e1435 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1427 == 1023u));
+                                            let _e1442 = ((_e1297.member_1[0] >> bitcast<u32>(_e1334)) & 1023u);
+                                            let _e1450 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1442)) - 8388608f) * _e1345)) ^ _e128)));
+                                            let _e1454 = select(select(_e678.member.member_1[1], _e1450, (_e1450 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1442 == 1023u));
+                                            let _e1457 = ((_e1297.member_1[0] >> bitcast<u32>(_e1356)) & 1023u);
+                                            let _e1465 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1457)) - 8388608f) * _e1367)) ^ _e128)));
+                                            let _e1469 = select(select(_e678.member.member_1[2], _e1465, (_e1465 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1457 == 1023u));
+                                            let _e1472 = ((_e1297.member_1[1] >> bitcast<u32>(_e1312)) & 1023u);
+                                            let _e1480 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1472)) - 8388608f) * _e1323)) ^ _e128)));
+                                            let _e1484 = select(select(_e678.member.member_1[0], _e1480, (_e1480 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1472 == 1023u));
+                                            let _e1487 = ((_e1297.member_1[1] >> bitcast<u32>(_e1334)) & 1023u);
+                                            let _e1495 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1487)) - 8388608f) * _e1345)) ^ _e128)));
+                                            let _e1499 = select(select(_e678.member.member_1[1], _e1495, (_e1495 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1487 == 1023u));
+                                            let _e1502 = ((_e1297.member_1[1] >> bitcast<u32>(_e1356)) & 1023u);
+                                            let _e1510 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1502)) - 8388608f) * _e1367)) ^ _e128)));
+                                            let _e1514 = select(select(_e678.member.member_1[2], _e1510, (_e1510 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1502 == 1023u));
+                                            let _e1519 = type_52(type_50(array<f32, 3>(_e1332, _e1354, _e1376), array<f32, 3>(_e1391, _e1406, _e1421)), _e1297.member_2);
+                                            let _e1524 = type_52(type_50(array<f32, 3>(_e1439, _e1454, _e1469), array<f32, 3>(_e1484, _e1499, _e1514)), _e1297.member_3);
+                                            let _e1537 = ((_e1332 - _e347) * _e352);
+                                            let _e1538 = ((_e1439 - _e347) * _e352);
+                                            let _e1539 = ((_e1391 - _e348) * _e352);
+                                            let _e1540 = ((_e1484 - _e348) * _e352);
+                                            let _e1545 = ((_e1354 - _e413) * _e418);
+                                            let _e1546 = ((_e1454 - _e413) * _e418);
+                                            let _e1547 = ((_e1406 - _e414) * _e418);
+                                            let _e1548 = ((_e1499 - _e414) * _e418);
+                                            let _e1553 = ((_e1376 - _e479) * _e484);
+                                            let _e1554 = ((_e1469 - _e479) * _e484);
+                                            let _e1555 = ((_e1421 - _e480) * _e484);
+                                            let _e1556 = ((_e1514 - _e480) * _e484);
+                                            let _e1558 = select(_e1555, _e1553, (_e1553 < _e1555));
+                                            let _e1560 = select(_e1556, _e1554, (_e1554 < _e1556));
+                                            let _e1562 = select(_e1555, _e1553, (_e1553 > _e1555));
+                                            let _e1564 = select(_e1556, _e1554, (_e1554 > _e1556));
+                                            let _e1566 = select(_e1539, _e1537, (_e1537 < _e1539));
+                                            let _e1568 = select(_e1540, _e1538, (_e1538 < _e1540));
+                                            let _e1570 = select(_e1547, _e1545, (_e1545 < _e1547));
+                                            let _e1572 = select(_e1548, _e1546, (_e1546 < _e1548));
+                                            let _e1574 = select(_e1570, _e1566, (_e1566 > _e1570));
+                                            let _e1576 = select(_e1572, _e1568, (_e1568 > _e1572));
+                                            let _e1578 = select(_e1558, _e1574, (_e1574 > _e1558));
+                                            let _e1580 = select(_e1560, _e1576, (_e1576 > _e1560));
+                                            let _e1582 = select(_e1539, _e1537, (_e1537 > _e1539));
+                                            let _e1584 = select(_e1540, _e1538, (_e1538 > _e1540));
+                                            let _e1586 = select(_e1547, _e1545, (_e1545 > _e1547));
+                                            let _e1588 = select(_e1548, _e1546, (_e1546 > _e1548));
+                                            let _e1590 = select(_e1586, _e1582, (_e1582 < _e1586));
+                                            let _e1592 = select(_e1588, _e1584, (_e1584 < _e1588));
+                                            let _e1597 = -(_e1558);
+                                            let _e1598 = -(_e1560);
+                                            let _e1605 = (select(_e1562, _e1590, (_e1590 < _e1562)) + (select(_e1597, _e1562, (_e1562 > _e1597)) * 0.0000019073523f));
+                                            let _e1606 = (select(_e1564, _e1592, (_e1592 < _e1564)) + (select(_e1598, _e1564, (_e1564 > _e1598)) * 0.0000019073523f));
+                                            let _e1608 = select(_e595, _e1578, (_e1578 > _e595));
+                                            let _e1610 = select(_e595, _e1580, (_e1580 > _e595));
+                                            let _e1615 = (_e1608 <= select(_e1292.member.member_1, _e1605, (_e1605 < _e1292.member.member_1)));
+                                            let _e1616 = (_e1610 <= select(_e1292.member.member_1, _e1606, (_e1606 < _e1292.member.member_1)));
+                                            let _e1617 = (_e1608 <= _e1610);
+                                            if _e1615 {
+                                                if _e1616 {
+                                                    if _e1617 {
+                                                        phi_3233_ = _e1524;
                                                     } else {
-                                                        phi_3237_ = _e913;
+                                                        phi_3233_ = _e1519;
                                                     }
-                                                    let _e1013 = phi_3237_;
-                                                    let _e1021 = (_e676 % 128u);
-                                                    let _e1022 = (_e1021 < 128u);
-                                                    if _e1022 {
+                                                    let _e1619 = phi_3233_;
+                                                    let _e1626 = (_e676 % 128u);
+                                                    let _e1627 = (_e1626 < 128u);
+                                                    if _e1627 {
                                                     } else {
-                                                        phi_3822_ = true;
+                                                        phi_3828_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1021] = _e1013.member_1;
-                                                    if _e1022 {
+                                                    local_6[_e1626] = _e1619.member_1;
+                                                    if _e1627 {
                                                     } else {
-                                                        phi_3822_ = true;
+                                                        phi_3828_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1021] = _e1013.member.member[0];
-                                                    if _e1022 {
+                                                    local_5[_e1626] = _e1619.member.member[0];
+                                                    if _e1627 {
                                                     } else {
-                                                        phi_3822_ = true;
+                                                        phi_3828_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1021] = _e1013.member.member[1];
-                                                    if _e1022 {
+                                                    local_4[_e1626] = _e1619.member.member[1];
+                                                    if _e1627 {
                                                     } else {
-                                                        phi_3822_ = true;
+                                                        phi_3828_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1021] = _e1013.member.member[2];
-                                                    if _e1022 {
+                                                    local_3[_e1626] = _e1619.member.member[2];
+                                                    if _e1627 {
                                                     } else {
-                                                        phi_3822_ = true;
+                                                        phi_3828_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1021] = _e1013.member.member_1[0];
-                                                    if _e1022 {
+                                                    local_2[_e1626] = _e1619.member.member_1[0];
+                                                    if _e1627 {
                                                     } else {
-                                                        phi_3822_ = true;
+                                                        phi_3828_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e1021] = _e1013.member.member_1[1];
-                                                    if _e1022 {
+                                                    local_1[_e1626] = _e1619.member.member_1[1];
+                                                    if _e1627 {
                                                     } else {
-                                                        phi_3822_ = true;
+                                                        phi_3828_ = true;
                                                         break;
                                                     }
-                                                    local[_e1021] = _e1013.member.member_1[2];
-                                                    if _e1022 {
+                                                    local[_e1626] = _e1619.member.member_1[2];
+                                                    if _e1627 {
                                                     } else {
-                                                        phi_3822_ = true;
+                                                        phi_3828_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1021] = select(_e1004, _e1002, !(_e1011));
-                                                    if _e1011 {
-                                                        phi_3314_ = _e913;
+                                                    local_7[_e1626] = select(_e1608, _e1610, _e1617);
+                                                    if _e1617 {
+                                                        phi_3309_ = _e1519;
                                                     } else {
-                                                        phi_3314_ = _e918;
+                                                        phi_3309_ = _e1524;
                                                     }
-                                                    let _e1039 = phi_3314_;
-                                                    phi_3315_ = (_e676 + 1u);
-                                                    phi_3316_ = _e1039;
+                                                    let _e1644 = phi_3309_;
+                                                    phi_3310_ = (_e676 + 1u);
+                                                    phi_3311_ = _e1644;
                                                 } else {
-                                                    phi_3315_ = u32();
-                                                    phi_3316_ = type_52();
+                                                    phi_3310_ = u32();
+                                                    phi_3311_ = type_52();
                                                 }
-                                                let _e1041 = phi_3315_;
-                                                let _e1043 = phi_3316_;
-                                                phi_3318_ = _e1041;
-                                                phi_3319_ = _e1043;
-                                                phi_3320_ = select(true, false, _e1010);
+                                                let _e1646 = phi_3310_;
+                                                let _e1648 = phi_3311_;
+                                                phi_3313_ = _e1646;
+                                                phi_3314_ = _e1648;
+                                                phi_3315_ = select(true, false, _e1616);
                                             } else {
-                                                phi_3318_ = u32();
-                                                phi_3319_ = type_52();
-                                                phi_3320_ = true;
+                                                phi_3313_ = u32();
+                                                phi_3314_ = type_52();
+                                                phi_3315_ = true;
                                             }
-                                            let _e1046 = phi_3318_;
-                                            let _e1048 = phi_3319_;
-                                            let _e1050 = phi_3320_;
-                                            if _e1050 {
-                                                if _e1009 {
-                                                    phi_3327_ = _e913;
+                                            let _e1651 = phi_3313_;
+                                            let _e1653 = phi_3314_;
+                                            let _e1655 = phi_3315_;
+                                            if _e1655 {
+                                                if _e1615 {
+                                                    phi_3322_ = _e1519;
                                                 } else {
-                                                    phi_3327_ = _e918;
+                                                    phi_3322_ = _e1524;
                                                 }
-                                                let _e1052 = phi_3327_;
-                                                phi_3332_ = select(_e1010, true, _e1009);
-                                                phi_3334_ = _e1052;
+                                                let _e1657 = phi_3322_;
+                                                phi_3327_ = select(_e1616, true, _e1615);
+                                                phi_3329_ = _e1657;
                                             } else {
-                                                phi_3332_ = _e674;
-                                                phi_3334_ = _e1048;
+                                                phi_3327_ = _e674;
+                                                phi_3329_ = _e1653;
                                             }
-                                            let _e1055 = phi_3332_;
-                                            let _e1057 = phi_3334_;
-                                            phi_3826_ = _e632;
-                                            phi_3339_ = type_41(_e634.member, (_e634.member_1 + 1u), _e634.member_2);
-                                            phi_3340_ = _e1055;
-                                            phi_3341_ = select(_e1046, _e676, _e1050);
-                                            phi_3342_ = _e1057;
+                                            let _e1660 = phi_3327_;
+                                            let _e1662 = phi_3329_;
+                                            phi_3334_ = type_41(_e1292.member, (_e1292.member_1 + 1u), _e1292.member_2);
+                                            phi_3335_ = _e1660;
+                                            phi_3336_ = select(_e1651, _e676, _e1655);
+                                            phi_3337_ = _e1662;
                                         }
-                                        let _e1662 = phi_3826_;
-                                        let _e1664 = phi_3339_;
-                                        let _e1666 = phi_3340_;
-                                        let _e1668 = phi_3341_;
-                                        let _e1670 = phi_3342_;
-                                        phi_3825_ = _e1662;
-                                        phi_3343_ = _e1664;
-                                        phi_3344_ = _e1666;
-                                        phi_3345_ = (_e638 - 1u);
-                                        phi_3346_ = _e1668;
-                                        phi_3347_ = _e1670;
+                                        let _e1665 = phi_3334_;
+                                        let _e1667 = phi_3335_;
+                                        let _e1669 = phi_3336_;
+                                        let _e1671 = phi_3337_;
+                                        if _e682 {
+                                            phi_3345_ = _e1292;
+                                            phi_3348_ = _e678;
+                                        } else {
+                                            phi_3345_ = _e1665;
+                                            phi_3348_ = _e1671;
+                                        }
+                                        let _e1673 = phi_3345_;
+                                        let _e1675 = phi_3348_;
+                                        phi_3831_ = _e1290;
+                                        phi_3349_ = _e1673;
+                                        phi_3350_ = (_e636 - 1u);
+                                        phi_3351_ = select(_e1667, false, _e682);
+                                        phi_3352_ = select(_e1669, _e676, _e682);
+                                        phi_3353_ = _e1675;
                                     } else {
-                                        phi_3825_ = _e632;
-                                        phi_3343_ = _e634;
-                                        phi_3344_ = _e674;
-                                        phi_3345_ = _e638;
-                                        phi_3346_ = _e676;
-                                        phi_3347_ = _e678;
+                                        phi_3831_ = _e632;
+                                        phi_3349_ = _e634;
+                                        phi_3350_ = _e636;
+                                        phi_3351_ = _e674;
+                                        phi_3352_ = _e676;
+                                        phi_3353_ = _e678;
                                     }
-                                    let _e1672 = phi_3825_;
-                                    let _e1674 = phi_3343_;
-                                    let _e1676 = phi_3344_;
-                                    let _e1678 = phi_3345_;
-                                    let _e1680 = phi_3346_;
-                                    let _e1682 = phi_3347_;
-                                    phi_3824_ = _e1672;
-                                    phi_3348_ = _e1674;
-                                    phi_3349_ = _e1676;
-                                    phi_3350_ = _e1678;
-                                    phi_3351_ = _e1680;
-                                    phi_3352_ = _e1682;
+                                    let _e1679 = phi_3831_;
+                                    let _e1681 = phi_3349_;
+                                    let _e1683 = phi_3350_;
+                                    let _e1685 = phi_3351_;
+                                    let _e1687 = phi_3352_;
+                                    let _e1689 = phi_3353_;
+                                    phi_3830_ = _e1679;
+                                    phi_3354_ = _e1681;
+                                    phi_3355_ = _e1683;
+                                    phi_3356_ = _e1685;
+                                    phi_3357_ = _e1687;
+                                    phi_3358_ = _e1689;
                                 } else {
-                                    phi_3824_ = _e632;
-                                    phi_3348_ = type_41();
-                                    phi_3349_ = bool();
-                                    phi_3350_ = u32();
-                                    phi_3351_ = u32();
-                                    phi_3352_ = type_52();
+                                    phi_3830_ = _e632;
+                                    phi_3354_ = type_41();
+                                    phi_3355_ = u32();
+                                    phi_3356_ = bool();
+                                    phi_3357_ = u32();
+                                    phi_3358_ = type_52();
                                 }
-                                let _e1684 = phi_3824_;
-                                let _e1686 = phi_3348_;
-                                let _e1688 = phi_3349_;
-                                let _e1690 = phi_3350_;
-                                let _e1692 = phi_3351_;
-                                let _e1694 = phi_3352_;
-                                phi_3823_ = _e1684;
-                                phi_1121_ = _e1686;
-                                phi_1124_ = _e1688;
-                                phi_1126_ = _e1690;
-                                phi_1128_ = _e1692;
-                                phi_1130_ = _e1694;
-                                phi_3353_ = _e646;
+                                let _e1691 = phi_3830_;
+                                let _e1693 = phi_3354_;
+                                let _e1695 = phi_3355_;
+                                let _e1697 = phi_3356_;
+                                let _e1699 = phi_3357_;
+                                let _e1701 = phi_3358_;
+                                phi_3829_ = _e1691;
+                                phi_1121_ = _e1693;
+                                phi_1124_ = _e1695;
+                                phi_1126_ = _e1697;
+                                phi_1128_ = _e1699;
+                                phi_1130_ = _e1701;
+                                phi_3359_ = _e646;
                             } else {
-                                phi_3823_ = _e632;
+                                phi_3829_ = _e632;
                                 phi_1121_ = type_41();
-                                phi_1124_ = bool();
-                                phi_1126_ = u32();
+                                phi_1124_ = u32();
+                                phi_1126_ = bool();
                                 phi_1128_ = u32();
                                 phi_1130_ = type_52();
-                                phi_3353_ = false;
+                                phi_3359_ = false;
                             }
-                            let _e1696 = phi_3823_;
-                            let _e1698 = phi_1121_;
-                            let _e1700 = phi_1124_;
-                            let _e1702 = phi_1126_;
-                            let _e1704 = phi_1128_;
-                            let _e1706 = phi_1130_;
-                            let _e1708 = phi_3353_;
+                            let _e1703 = phi_3829_;
+                            let _e1705 = phi_1121_;
+                            let _e1707 = phi_1124_;
+                            let _e1709 = phi_1126_;
+                            let _e1711 = phi_1128_;
+                            let _e1713 = phi_1130_;
+                            let _e1715 = phi_3359_;
                             continue;
                             continuing {
-                                phi_3668_ = _e1696;
-                                phi_1120_ = _e1698;
-                                phi_1123_ = _e1700;
-                                phi_1125_ = _e1702;
-                                phi_1127_ = _e1704;
-                                phi_1129_ = _e1706;
-                                phi_3822_ = _e1696;
-                                break if !(_e1708);
+                                phi_3674_ = _e1703;
+                                phi_1120_ = _e1705;
+                                phi_1123_ = _e1707;
+                                phi_1125_ = _e1709;
+                                phi_1127_ = _e1711;
+                                phi_1129_ = _e1713;
+                                phi_3828_ = _e1703;
+                                break if !(_e1715);
                             }
                         }
-                        let _e1711 = phi_3822_;
-                        if _e1711 {
+                        let _e1718 = phi_3828_;
+                        if _e1718 {
                             break;
                         }
-                        let _e1713 = local_10;
-                        if (_e1713.member.member.member_3 != 4294967295u) {
-                            let _e1719 = bitcast<u32>(_e1713.member.member.member);
-                            let _e1723 = (bitcast<i32>((_e1719 >> bitcast<u32>(23i))) & 255i);
-                            let _e1724 = (_e1723 + _e264);
-                            if (_e1723 == 255i) {
-                                phi_3412_ = _e1713.member.member.member;
+                        let _e1720 = local_10;
+                        if (_e1720.member.member.member_3 != 4294967295u) {
+                            let _e1726 = bitcast<u32>(_e1720.member.member.member);
+                            let _e1730 = (bitcast<i32>((_e1726 >> bitcast<u32>(23i))) & 255i);
+                            let _e1731 = (_e1730 + _e264);
+                            if (_e1730 == 255i) {
+                                phi_3418_ = _e1720.member.member.member;
                             } else {
-                                if (_e1723 > 0i) {
-                                    if (_e1724 > 0i) {
-                                        let _e1728 = (_e1724 < 255i);
-                                        if _e1728 {
-                                            phi_3391_ = bitcast<f32>((_e1719 + bitcast<u32>((_e264 << bitcast<u32>(23i)))));
+                                if (_e1730 > 0i) {
+                                    if (_e1731 > 0i) {
+                                        let _e1735 = (_e1731 < 255i);
+                                        if _e1735 {
+                                            phi_3397_ = bitcast<f32>((_e1726 + bitcast<u32>((_e264 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_3391_ = f32();
+                                            phi_3397_ = f32();
                                         }
-                                        let _e1735 = phi_3391_;
-                                        phi_3393_ = _e1735;
-                                        phi_3394_ = select(true, false, _e1728);
+                                        let _e1742 = phi_3397_;
+                                        phi_3399_ = _e1742;
+                                        phi_3400_ = select(true, false, _e1735);
                                     } else {
-                                        phi_3393_ = f32();
-                                        phi_3394_ = true;
+                                        phi_3399_ = f32();
+                                        phi_3400_ = true;
                                     }
-                                    let _e1738 = phi_3393_;
-                                    let _e1740 = phi_3394_;
-                                    phi_3395_ = _e1738;
-                                    phi_3396_ = _e1740;
+                                    let _e1745 = phi_3399_;
+                                    let _e1747 = phi_3400_;
+                                    phi_3401_ = _e1745;
+                                    phi_3402_ = _e1747;
                                 } else {
-                                    phi_3395_ = f32();
-                                    phi_3396_ = true;
+                                    phi_3401_ = f32();
+                                    phi_3402_ = true;
                                 }
-                                let _e1742 = phi_3395_;
-                                let _e1744 = phi_3396_;
-                                if _e1744 {
-                                    let _e1745 = (_e1719 & 2147483648u);
-                                    let _e1752 = ((_e1719 & 8388607u) | (select(0u, 1u, ((_e1719 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e1756 = (_e1752 == 0u);
-                                    if _e1756 {
-                                        phi_3632_ = bitcast<f32>(_e1745);
+                                let _e1749 = phi_3401_;
+                                let _e1751 = phi_3402_;
+                                if _e1751 {
+                                    let _e1752 = (_e1726 & 2147483648u);
+                                    let _e1759 = ((_e1726 & 8388607u) | (select(0u, 1u, ((_e1726 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1763 = (_e1759 == 0u);
+                                    if _e1763 {
+                                        phi_3638_ = bitcast<f32>(_e1752);
                                     } else {
-                                        let _e1761 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1752)), 32u, _e1756) - 8u);
-                                        let _e1764 = (_e1752 << bitcast<u32>((_e1761 & 31u)));
-                                        let _e1766 = ((_e1724 + select(0i, 1i, (_e1723 == 0i))) - bitcast<i32>(_e1761));
-                                        if (_e1766 >= 255i) {
-                                            phi_3622_ = bitcast<f32>((_e1745 | 2139095040u));
-                                            phi_3623_ = f32();
-                                            phi_3624_ = true;
+                                        let _e1768 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1759)), 32u, _e1763) - 8u);
+                                        let _e1771 = (_e1759 << bitcast<u32>((_e1768 & 31u)));
+                                        let _e1773 = ((_e1731 + select(0i, 1i, (_e1730 == 0i))) - bitcast<i32>(_e1768));
+                                        if (_e1773 >= 255i) {
+                                            phi_3628_ = bitcast<f32>((_e1752 | 2139095040u));
+                                            phi_3629_ = f32();
+                                            phi_3630_ = true;
                                         } else {
-                                            let _e1768 = (_e1766 > 0i);
-                                            if _e1768 {
-                                                phi_3616_ = bitcast<f32>(((_e1745 | (bitcast<u32>(_e1766) << bitcast<u32>(23i))) | (_e1764 & 8388607u)));
-                                                phi_3617_ = f32();
+                                            let _e1775 = (_e1773 > 0i);
+                                            if _e1775 {
+                                                phi_3622_ = bitcast<f32>(((_e1752 | (bitcast<u32>(_e1773) << bitcast<u32>(23i))) | (_e1771 & 8388607u)));
+                                                phi_3623_ = f32();
                                             } else {
-                                                if (_e1766 < -24i) {
-                                                    phi_3582_ = 26u;
+                                                if (_e1773 < -24i) {
+                                                    phi_3588_ = 26u;
                                                 } else {
-                                                    phi_3582_ = bitcast<u32>((1i - _e1766));
+                                                    phi_3588_ = bitcast<u32>((1i - _e1773));
                                                 }
-                                                let _e1773 = phi_3582_;
-                                                let _e1774 = (_e1773 & 31u);
-                                                let _e1776 = (_e1764 >> bitcast<u32>(_e1774));
-                                                let _e1780 = (_e1764 & ((1u << bitcast<u32>(_e1774)) - 1u));
-                                                let _e1784 = (1u << bitcast<u32>(((_e1773 - 1u) & 31u)));
-                                                if (_e1780 > _e1784) {
-                                                    phi_3603_ = true;
+                                                let _e1780 = phi_3588_;
+                                                let _e1781 = (_e1780 & 31u);
+                                                let _e1783 = (_e1771 >> bitcast<u32>(_e1781));
+                                                let _e1787 = (_e1771 & ((1u << bitcast<u32>(_e1781)) - 1u));
+                                                let _e1791 = (1u << bitcast<u32>(((_e1780 - 1u) & 31u)));
+                                                if (_e1787 > _e1791) {
+                                                    phi_3609_ = true;
                                                 } else {
-                                                    if (_e1780 == _e1784) {
-                                                        phi_3600_ = ((_e1776 & 1u) == 1u);
+                                                    if (_e1787 == _e1791) {
+                                                        phi_3606_ = ((_e1783 & 1u) == 1u);
                                                     } else {
-                                                        phi_3600_ = false;
+                                                        phi_3606_ = false;
                                                     }
-                                                    let _e1790 = phi_3600_;
-                                                    phi_3603_ = _e1790;
+                                                    let _e1797 = phi_3606_;
+                                                    phi_3609_ = _e1797;
                                                 }
-                                                let _e1792 = phi_3603_;
-                                                phi_3616_ = f32();
-                                                phi_3617_ = bitcast<f32>((_e1745 | (_e1776 + select(0u, 1u, _e1792))));
+                                                let _e1799 = phi_3609_;
+                                                phi_3622_ = f32();
+                                                phi_3623_ = bitcast<f32>((_e1752 | (_e1783 + select(0u, 1u, _e1799))));
                                             }
-                                            let _e1805 = phi_3616_;
-                                            let _e1807 = phi_3617_;
-                                            phi_3622_ = _e1805;
-                                            phi_3623_ = _e1807;
-                                            phi_3624_ = _e1768;
+                                            let _e1812 = phi_3622_;
+                                            let _e1814 = phi_3623_;
+                                            phi_3628_ = _e1812;
+                                            phi_3629_ = _e1814;
+                                            phi_3630_ = _e1775;
                                         }
-                                        let _e1811 = phi_3622_;
-                                        let _e1813 = phi_3623_;
-                                        let _e1815 = phi_3624_;
-                                        phi_3632_ = select(_e1813, _e1811, _e1815);
+                                        let _e1818 = phi_3628_;
+                                        let _e1820 = phi_3629_;
+                                        let _e1822 = phi_3630_;
+                                        phi_3638_ = select(_e1820, _e1818, _e1822);
                                     }
-                                    let _e1819 = phi_3632_;
-                                    phi_3411_ = _e1819;
+                                    let _e1826 = phi_3638_;
+                                    phi_3417_ = _e1826;
                                 } else {
-                                    phi_3411_ = _e1742;
+                                    phi_3417_ = _e1749;
                                 }
-                                let _e1821 = phi_3411_;
-                                phi_3412_ = _e1821;
+                                let _e1828 = phi_3417_;
+                                phi_3418_ = _e1828;
                             }
-                            let _e1823 = phi_3412_;
-                            let _e1824 = bitcast<u32>(_e1823);
-                            if ((_e1824 & 2147483647u) >= 2139095040u) {
-                                phi_3424_ = bitcast<f32>(((_e1824 & 2147483648u) | 2139095039u));
+                            let _e1830 = phi_3418_;
+                            let _e1831 = bitcast<u32>(_e1830);
+                            if ((_e1831 & 2147483647u) >= 2139095040u) {
+                                phi_3430_ = bitcast<f32>(((_e1831 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_3424_ = _e1823;
+                                phi_3430_ = _e1830;
                             }
-                            let _e1831 = phi_3424_;
-                            phi_3429_ = type_23(_e1831, _e1713.member.member.member_1, _e1713.member.member.member_2, _e1713.member.member.member_3);
+                            let _e1838 = phi_3430_;
+                            phi_3435_ = type_23(_e1838, _e1720.member.member.member_1, _e1720.member.member.member_2, _e1720.member.member.member_3);
                         } else {
-                            phi_3429_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3435_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1836 = phi_3429_;
+                        let _e1843 = phi_3435_;
                         if _e140 {
                         } else {
                             break;
                         }
-                        global_2.member[_e132] = _e1836;
-                        let _e1840 = local_11;
+                        global_2.member[_e132] = _e1843;
+                        let _e1847 = local_11;
                         if _e141 {
                         } else {
                             break;
                         }
-                        global_5.member[_e132] = _e1840.member_1;
+                        global_5.member[_e132] = _e1847.member_1;
                         if _e139 {
                         } else {
                             break;
                         }
-                        let _e1845 = select(0u, 1u, (_e208 <= _e218));
-                        if (_e1845 > 0u) {
-                            let _e1847 = (1u < _e100);
-                            if _e1847 {
+                        let _e1852 = select(0u, 1u, (_e208 <= _e218));
+                        if (_e1852 > 0u) {
+                            let _e1854 = (1u < _e100);
+                            if _e1854 {
                                 if (0u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1851 = atomicAdd((&global_6.member[0u]), _e1845);
-                                if ((_e1851 + _e1845) < _e1851) {
-                                    if _e1847 {
+                                let _e1858 = atomicAdd((&global_6.member[0u]), _e1852);
+                                if ((_e1858 + _e1852) < _e1858) {
+                                    if _e1854 {
                                     } else {
                                         break;
                                     }
-                                    let _e1856 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1863 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1859 = select(0u, 1u, (_e1836.member_3 != 4294967295u));
-                        if (_e1859 > 0u) {
-                            let _e1861 = (3u < _e100);
-                            if _e1861 {
+                        let _e1866 = select(0u, 1u, (_e1843.member_3 != 4294967295u));
+                        if (_e1866 > 0u) {
+                            let _e1868 = (3u < _e100);
+                            if _e1868 {
                                 if (2u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1865 = atomicAdd((&global_6.member[2u]), _e1859);
-                                if ((_e1865 + _e1859) < _e1865) {
-                                    if _e1861 {
+                                let _e1872 = atomicAdd((&global_6.member[2u]), _e1866);
+                                if ((_e1872 + _e1866) < _e1872) {
+                                    if _e1868 {
                                     } else {
                                         break;
                                     }
-                                    let _e1870 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1877 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1840.member_1 > 0u) {
-                            let _e1872 = (5u < _e100);
-                            if _e1872 {
+                        if (_e1847.member_1 > 0u) {
+                            let _e1879 = (5u < _e100);
+                            if _e1879 {
                                 if (4u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1876 = atomicAdd((&global_6.member[4u]), _e1840.member_1);
-                                if ((_e1876 + _e1840.member_1) < _e1876) {
-                                    if _e1872 {
+                                let _e1883 = atomicAdd((&global_6.member[4u]), _e1847.member_1);
+                                if ((_e1883 + _e1847.member_1) < _e1883) {
+                                    if _e1879 {
                                     } else {
                                         break;
                                     }
-                                    let _e1881 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e1888 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

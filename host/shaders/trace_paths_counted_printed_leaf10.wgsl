@@ -147,27 +147,16 @@ fn function_() {
     var phi_1022_: u32;
     var phi_1030_: f32;
     var phi_1031_: f32;
-    var phi_3862_: bool;
+    var phi_3868_: bool;
     var phi_1123_: type_36;
-    var phi_1126_: bool;
-    var phi_1128_: u32;
+    var phi_1126_: u32;
+    var phi_1128_: bool;
     var phi_1130_: u32;
     var phi_1132_: type_53;
     var phi_1143_: bool;
     var phi_1229_: bool;
     var phi_1230_: u32;
     var phi_1231_: type_53;
-    var phi_2542_: type_40;
-    var phi_3431_: type_53;
-    var phi_3508_: type_53;
-    var phi_3509_: u32;
-    var phi_3510_: type_53;
-    var phi_3512_: u32;
-    var phi_3513_: type_53;
-    var phi_3514_: bool;
-    var phi_3521_: type_53;
-    var phi_3526_: bool;
-    var phi_3528_: type_53;
     var phi_1250_: type_36;
     var phi_1253_: type_7;
     var phi_1254_: type_7;
@@ -215,51 +204,65 @@ fn function_() {
     var phi_2515_: type_36;
     var phi_2516_: type_36;
     var phi_1251_: type_36;
-    var phi_3856_: bool;
-    var phi_4038_: bool;
-    var phi_3533_: type_36;
-    var phi_3534_: bool;
-    var phi_3535_: u32;
-    var phi_3536_: type_53;
-    var phi_4037_: bool;
-    var phi_3537_: type_36;
-    var phi_3538_: bool;
-    var phi_3539_: u32;
-    var phi_3540_: u32;
-    var phi_3541_: type_53;
-    var phi_4036_: bool;
-    var phi_3542_: type_36;
-    var phi_3543_: bool;
+    var phi_3862_: bool;
+    var phi_4099_: bool;
+    var phi_2517_: type_36;
+    var phi_2538_: type_40;
+    var phi_3427_: type_53;
+    var phi_3503_: type_53;
+    var phi_3504_: u32;
+    var phi_3505_: type_53;
+    var phi_3507_: u32;
+    var phi_3508_: type_53;
+    var phi_3509_: bool;
+    var phi_3516_: type_53;
+    var phi_3521_: bool;
+    var phi_3523_: type_53;
+    var phi_3528_: type_36;
+    var phi_3529_: bool;
+    var phi_3530_: u32;
+    var phi_3531_: type_53;
+    var phi_3539_: type_36;
+    var phi_3542_: type_53;
+    var phi_4043_: bool;
+    var phi_3543_: type_36;
     var phi_3544_: u32;
-    var phi_3545_: u32;
-    var phi_3546_: type_53;
-    var phi_4035_: bool;
+    var phi_3545_: bool;
+    var phi_3546_: u32;
+    var phi_3547_: type_53;
+    var phi_4042_: bool;
+    var phi_3548_: type_36;
+    var phi_3549_: u32;
+    var phi_3550_: bool;
+    var phi_3551_: u32;
+    var phi_3552_: type_53;
+    var phi_4041_: bool;
     var phi_1124_: type_36;
-    var phi_1127_: bool;
-    var phi_1129_: u32;
+    var phi_1127_: u32;
+    var phi_1129_: bool;
     var phi_1131_: u32;
     var phi_1133_: type_53;
-    var phi_3547_: bool;
-    var phi_4034_: bool;
+    var phi_3553_: bool;
+    var phi_4040_: bool;
     var local_10: type_36;
-    var phi_3585_: f32;
-    var phi_3587_: f32;
-    var phi_3588_: bool;
-    var phi_3589_: f32;
-    var phi_3590_: bool;
-    var phi_3776_: u32;
-    var phi_3794_: bool;
-    var phi_3797_: bool;
-    var phi_3810_: f32;
-    var phi_3811_: f32;
+    var phi_3591_: f32;
+    var phi_3593_: f32;
+    var phi_3594_: bool;
+    var phi_3595_: f32;
+    var phi_3596_: bool;
+    var phi_3782_: u32;
+    var phi_3800_: bool;
+    var phi_3803_: bool;
     var phi_3816_: f32;
     var phi_3817_: f32;
-    var phi_3818_: bool;
-    var phi_3826_: f32;
-    var phi_3605_: f32;
-    var phi_3606_: f32;
-    var phi_3618_: f32;
-    var phi_3623_: type_19;
+    var phi_3822_: f32;
+    var phi_3823_: f32;
+    var phi_3824_: bool;
+    var phi_3832_: f32;
+    var phi_3611_: f32;
+    var phi_3612_: f32;
+    var phi_3624_: f32;
+    var phi_3629_: type_19;
     var local_11: type_36;
     var local_12: type_36;
 
@@ -620,14 +623,14 @@ fn function_() {
                             break;
                         }
                         let _e623 = local_8[_e612];
-                        phi_3862_ = false;
+                        phi_3868_ = false;
                         phi_1123_ = type_36(type_34(type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e592), 0u, 0u);
-                        phi_1126_ = (_e594 <= _e592);
-                        phi_1128_ = ((3u * _e88) + 1u);
+                        phi_1126_ = ((3u * _e88) + 1u);
+                        phi_1128_ = (_e594 <= _e592);
                         phi_1130_ = 0u;
                         phi_1132_ = type_53(type_45(array<f32, 3>(_e607, _e611, _e615), array<f32, 3>(_e619, _e621, _e623)), select(0u, 2147483648u, (_e88 == 0u)));
                         loop {
-                            let _e631 = phi_3862_;
+                            let _e631 = phi_3868_;
                             let _e633 = phi_1123_;
                             let _e635 = phi_1126_;
                             let _e637 = phi_1128_;
@@ -635,17 +638,17 @@ fn function_() {
                             let _e641 = phi_1132_;
                             local_10 = _e633;
                             local_11 = _e633;
-                            if _e635 {
+                            if _e637 {
                                 phi_1143_ = true;
                             } else {
                                 phi_1143_ = (_e639 > 0u);
                             }
                             let _e644 = phi_1143_;
                             if _e644 {
-                                let _e645 = (_e637 > 0u);
+                                let _e645 = (_e635 > 0u);
                                 if _e645 {
-                                    if _e635 {
-                                        phi_1229_ = _e635;
+                                    if _e637 {
+                                        phi_1229_ = _e637;
                                         phi_1230_ = _e639;
                                         phi_1231_ = _e641;
                                     } else {
@@ -654,49 +657,49 @@ fn function_() {
                                         let _e648 = (_e647 < 128u);
                                         if _e648 {
                                         } else {
-                                            phi_4034_ = true;
+                                            phi_4040_ = true;
                                             break;
                                         }
                                         let _e650 = local_6[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_4034_ = true;
+                                            phi_4040_ = true;
                                             break;
                                         }
                                         let _e652 = local_5[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_4034_ = true;
+                                            phi_4040_ = true;
                                             break;
                                         }
                                         let _e654 = local_4[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_4034_ = true;
+                                            phi_4040_ = true;
                                             break;
                                         }
                                         let _e656 = local_3[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_4034_ = true;
+                                            phi_4040_ = true;
                                             break;
                                         }
                                         let _e659 = local_2[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_4034_ = true;
+                                            phi_4040_ = true;
                                             break;
                                         }
                                         let _e661 = local_1[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_4034_ = true;
+                                            phi_4040_ = true;
                                             break;
                                         }
                                         let _e663 = local[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_4034_ = true;
+                                            phi_4040_ = true;
                                             break;
                                         }
                                         let _e668 = local_7[_e647];
@@ -708,884 +711,900 @@ fn function_() {
                                     let _e675 = phi_1230_;
                                     let _e677 = phi_1231_;
                                     if _e673 {
-                                        if ((_e677.member_1 & 2147483648u) != 0u) {
+                                        let _e681 = ((_e677.member_1 & 2147483648u) != 0u);
+                                        if _e681 {
                                             phi_1250_ = _e633;
                                             phi_1253_ = type_7(0u, ((_e677.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1061 = phi_1250_;
-                                                let _e1063 = phi_1253_;
-                                                local_12 = _e1061;
-                                                if (_e1063.member < _e1063.member_1) {
-                                                    phi_1254_ = type_7((_e1063.member + 1u), _e1063.member_1);
-                                                    phi_1276_ = type_7(1u, _e1063.member);
+                                                let _e689 = phi_1250_;
+                                                let _e691 = phi_1253_;
+                                                local_12 = _e689;
+                                                if (_e691.member < _e691.member_1) {
+                                                    phi_1254_ = type_7((_e691.member + 1u), _e691.member_1);
+                                                    phi_1276_ = type_7(1u, _e691.member);
                                                 } else {
-                                                    phi_1254_ = _e1063;
+                                                    phi_1254_ = _e691;
                                                     phi_1276_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e1076 = phi_1254_;
-                                                let _e1078 = phi_1276_;
-                                                let _e1082 = (bitcast<i32>(_e1078.member) != 0i);
-                                                if _e1082 {
-                                                    let _e1088 = type_36(_e1061.member, _e1061.member_1, (_e1061.member_2 + 1u));
-                                                    let _e1089 = ((_e677.member_1 & 268435455u) + _e1078.member_1);
-                                                    let _e1090 = (_e1089 < arrayLength((&global_7.member)));
-                                                    if _e1090 {
-                                                        if _e1090 {
+                                                let _e704 = phi_1254_;
+                                                let _e706 = phi_1276_;
+                                                let _e710 = (bitcast<i32>(_e706.member) != 0i);
+                                                if _e710 {
+                                                    let _e716 = type_36(_e689.member, _e689.member_1, (_e689.member_2 + 1u));
+                                                    let _e717 = ((_e677.member_1 & 268435455u) + _e706.member_1);
+                                                    let _e718 = (_e717 < arrayLength((&global_7.member)));
+                                                    if _e718 {
+                                                        if _e718 {
                                                         } else {
-                                                            phi_3856_ = true;
+                                                            phi_3862_ = true;
                                                             break;
                                                         }
-                                                        let _e1093 = global_7.member[_e1089].member_1;
-                                                        phi_1304_ = _e1093;
+                                                        let _e721 = global_7.member[_e717].member_1;
+                                                        phi_1304_ = _e721;
                                                     } else {
                                                         phi_1304_ = 4294967295u;
                                                     }
-                                                    let _e1095 = phi_1304_;
-                                                    if _e1090 {
-                                                        if _e1090 {
+                                                    let _e723 = phi_1304_;
+                                                    if _e718 {
+                                                        if _e718 {
                                                         } else {
-                                                            phi_3856_ = true;
+                                                            phi_3862_ = true;
                                                             break;
                                                         }
-                                                        let _e1097 = global_7.member[_e1089];
-                                                        phi_1320_ = _e1097;
+                                                        let _e725 = global_7.member[_e717];
+                                                        phi_1320_ = _e725;
                                                     } else {
                                                         phi_1320_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e1099 = phi_1320_;
-                                                    let _e1111 = ((10u * _e261) & 31u);
-                                                    let _e1114 = ((_e1099.member[0] >> bitcast<u32>(_e1111)) & 1023u);
-                                                    let _e1122 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e127));
-                                                    let _e1127 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1114)) - 8388608f) * _e1122)) ^ _e127)));
-                                                    let _e1131 = select(select(_e677.member.member_1[0], _e1127, (_e1127 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1114 == 1023u));
-                                                    let _e1133 = ((10u * _e260) & 31u);
-                                                    let _e1136 = ((_e1099.member[0] >> bitcast<u32>(_e1133)) & 1023u);
-                                                    let _e1144 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e127));
-                                                    let _e1149 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1136)) - 8388608f) * _e1144)) ^ _e127)));
-                                                    let _e1153 = select(select(_e677.member.member_1[1], _e1149, (_e1149 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1136 == 1023u));
-                                                    let _e1155 = ((10u * _e262) & 31u);
-                                                    let _e1158 = ((_e1099.member[0] >> bitcast<u32>(_e1155)) & 1023u);
-                                                    let _e1166 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e127));
-                                                    let _e1171 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1158)) - 8388608f) * _e1166)) ^ _e127)));
-                                                    let _e1175 = select(select(_e677.member.member_1[2], _e1171, (_e1171 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1158 == 1023u));
-                                                    let _e1179 = ((_e1099.member[1] >> bitcast<u32>(_e1111)) & 1023u);
-                                                    let _e1187 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1179)) - 8388608f) * _e1122)) ^ _e127)));
-                                                    let _e1191 = select(select(_e677.member.member_1[0], _e1187, (_e1187 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1179 == 1023u));
-                                                    let _e1194 = ((_e1099.member[1] >> bitcast<u32>(_e1133)) & 1023u);
-                                                    let _e1202 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1194)) - 8388608f) * _e1144)) ^ _e127)));
-                                                    let _e1206 = select(select(_e677.member.member_1[1], _e1202, (_e1202 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1194 == 1023u));
-                                                    let _e1209 = ((_e1099.member[1] >> bitcast<u32>(_e1155)) & 1023u);
-                                                    let _e1217 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1209)) - 8388608f) * _e1166)) ^ _e127)));
-                                                    let _e1221 = select(select(_e677.member.member_1[2], _e1217, (_e1217 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1209 == 1023u));
-                                                    let _e1225 = ((_e1099.member[2] >> bitcast<u32>(_e1111)) & 1023u);
-                                                    let _e1233 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1225)) - 8388608f) * _e1122)) ^ _e127)));
-                                                    let _e1237 = select(select(_e677.member.member_1[0], _e1233, (_e1233 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1225 == 1023u));
-                                                    let _e1240 = ((_e1099.member[2] >> bitcast<u32>(_e1133)) & 1023u);
-                                                    let _e1248 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1240)) - 8388608f) * _e1144)) ^ _e127)));
-                                                    let _e1252 = select(select(_e677.member.member_1[1], _e1248, (_e1248 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1240 == 1023u));
-                                                    let _e1255 = ((_e1099.member[2] >> bitcast<u32>(_e1155)) & 1023u);
-                                                    let _e1263 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1255)) - 8388608f) * _e1166)) ^ _e127)));
-                                                    let _e1267 = select(select(_e677.member.member_1[2], _e1263, (_e1263 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1255 == 1023u));
-                                                    let _e1272 = (_e1175 - _e441);
-                                                    let _e1275 = (((_e1131 - _e308) * _e480) - (_e1272 * _e348));
-                                                    let _e1278 = (((_e1153 - _e375) * _e480) - (_e1272 * _e414));
-                                                    let _e1281 = (_e1221 - _e441);
-                                                    let _e1284 = (((_e1191 - _e308) * _e480) - (_e1281 * _e348));
-                                                    let _e1287 = (((_e1206 - _e375) * _e480) - (_e1281 * _e414));
-                                                    let _e1290 = (_e1267 - _e441);
-                                                    let _e1293 = (((_e1237 - _e308) * _e480) - (_e1290 * _e348));
-                                                    let _e1296 = (((_e1252 - _e375) * _e480) - (_e1290 * _e414));
-                                                    let _e1297 = (_e1293 * _e1287);
-                                                    let _e1298 = (_e1296 * _e1284);
-                                                    let _e1299 = (_e1275 * _e1296);
-                                                    let _e1300 = (_e1278 * _e1293);
-                                                    let _e1301 = (_e1284 * _e1278);
-                                                    let _e1302 = (_e1287 * _e1275);
-                                                    let _e1307 = (((_e1297 >= _e1298) && (_e1299 >= _e1300)) && (_e1301 >= _e1302));
-                                                    if (_e1307 || (((_e1297 <= _e1298) && (_e1299 <= _e1300)) && (_e1301 <= _e1302))) {
-                                                        let _e1314 = select(-1f, 1f, _e1307);
-                                                        let _e1316 = ((_e1297 - _e1298) * _e1314);
-                                                        let _e1318 = select(0f, _e1316, (_e1316 > 0f));
-                                                        let _e1320 = ((_e1299 - _e1300) * _e1314);
-                                                        let _e1322 = select(0f, _e1320, (_e1320 > 0f));
-                                                        let _e1324 = ((_e1301 - _e1302) * _e1314);
-                                                        let _e1326 = select(0f, _e1324, (_e1324 > 0f));
-                                                        let _e1328 = ((_e1318 + _e1322) + _e1326);
-                                                        if (_e1328 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e727 = phi_1320_;
+                                                    let _e739 = ((10u * _e261) & 31u);
+                                                    let _e742 = ((_e727.member[0] >> bitcast<u32>(_e739)) & 1023u);
+                                                    let _e750 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e127));
+                                                    let _e755 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e742)) - 8388608f) * _e750)) ^ _e127)));
+                                                    let _e759 = select(select(_e677.member.member_1[0], _e755, (_e755 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e742 == 1023u));
+                                                    let _e761 = ((10u * _e260) & 31u);
+                                                    let _e764 = ((_e727.member[0] >> bitcast<u32>(_e761)) & 1023u);
+                                                    let _e772 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e127));
+                                                    let _e777 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e764)) - 8388608f) * _e772)) ^ _e127)));
+                                                    let _e781 = select(select(_e677.member.member_1[1], _e777, (_e777 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e764 == 1023u));
+                                                    let _e783 = ((10u * _e262) & 31u);
+                                                    let _e786 = ((_e727.member[0] >> bitcast<u32>(_e783)) & 1023u);
+                                                    let _e794 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e127));
+                                                    let _e799 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e786)) - 8388608f) * _e794)) ^ _e127)));
+                                                    let _e803 = select(select(_e677.member.member_1[2], _e799, (_e799 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e786 == 1023u));
+                                                    let _e807 = ((_e727.member[1] >> bitcast<u32>(_e739)) & 1023u);
+                                                    let _e815 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e750)) ^ _e127)));
+                                                    let _e819 = select(select(_e677.member.member_1[0], _e815, (_e815 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e807 == 1023u));
+                                                    let _e822 = ((_e727.member[1] >> bitcast<u32>(_e761)) & 1023u);
+                                                    let _e830 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e822)) - 8388608f) * _e772)) ^ _e127)));
+                                                    let _e834 = select(select(_e677.member.member_1[1], _e830, (_e830 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e822 == 1023u));
+                                                    let _e837 = ((_e727.member[1] >> bitcast<u32>(_e783)) & 1023u);
+                                                    let _e845 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e837)) - 8388608f) * _e794)) ^ _e127)));
+                                                    let _e849 = select(select(_e677.member.member_1[2], _e845, (_e845 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e837 == 1023u));
+                                                    let _e853 = ((_e727.member[2] >> bitcast<u32>(_e739)) & 1023u);
+                                                    let _e861 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e853)) - 8388608f) * _e750)) ^ _e127)));
+                                                    let _e865 = select(select(_e677.member.member_1[0], _e861, (_e861 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e853 == 1023u));
+                                                    let _e868 = ((_e727.member[2] >> bitcast<u32>(_e761)) & 1023u);
+                                                    let _e876 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e868)) - 8388608f) * _e772)) ^ _e127)));
+                                                    let _e880 = select(select(_e677.member.member_1[1], _e876, (_e876 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e868 == 1023u));
+                                                    let _e883 = ((_e727.member[2] >> bitcast<u32>(_e783)) & 1023u);
+                                                    let _e891 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e883)) - 8388608f) * _e794)) ^ _e127)));
+                                                    let _e895 = select(select(_e677.member.member_1[2], _e891, (_e891 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e883 == 1023u));
+                                                    let _e900 = (_e803 - _e441);
+                                                    let _e903 = (((_e759 - _e308) * _e480) - (_e900 * _e348));
+                                                    let _e906 = (((_e781 - _e375) * _e480) - (_e900 * _e414));
+                                                    let _e909 = (_e849 - _e441);
+                                                    let _e912 = (((_e819 - _e308) * _e480) - (_e909 * _e348));
+                                                    let _e915 = (((_e834 - _e375) * _e480) - (_e909 * _e414));
+                                                    let _e918 = (_e895 - _e441);
+                                                    let _e921 = (((_e865 - _e308) * _e480) - (_e918 * _e348));
+                                                    let _e924 = (((_e880 - _e375) * _e480) - (_e918 * _e414));
+                                                    let _e925 = (_e921 * _e915);
+                                                    let _e926 = (_e924 * _e912);
+                                                    let _e927 = (_e903 * _e924);
+                                                    let _e928 = (_e906 * _e921);
+                                                    let _e929 = (_e912 * _e906);
+                                                    let _e930 = (_e915 * _e903);
+                                                    let _e935 = (((_e925 >= _e926) && (_e927 >= _e928)) && (_e929 >= _e930));
+                                                    if (_e935 || (((_e925 <= _e926) && (_e927 <= _e928)) && (_e929 <= _e930))) {
+                                                        let _e942 = select(-1f, 1f, _e935);
+                                                        let _e944 = ((_e925 - _e926) * _e942);
+                                                        let _e946 = select(0f, _e944, (_e944 > 0f));
+                                                        let _e948 = ((_e927 - _e928) * _e942);
+                                                        let _e950 = select(0f, _e948, (_e948 > 0f));
+                                                        let _e952 = ((_e929 - _e930) * _e942);
+                                                        let _e954 = select(0f, _e952, (_e952 > 0f));
+                                                        let _e956 = ((_e946 + _e950) + _e954);
+                                                        if (_e956 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2466_ = type_19();
                                                             phi_2467_ = true;
                                                             phi_2468_ = false;
                                                         } else {
-                                                            let _e1331 = select(_e1284, _e1275, (_e1275 < _e1284));
-                                                            if (select(_e1293, _e1331, (_e1331 < _e1293)) > 0f) {
+                                                            let _e959 = select(_e912, _e903, (_e903 < _e912));
+                                                            if (select(_e921, _e959, (_e959 < _e921)) > 0f) {
                                                                 phi_1758_ = true;
                                                             } else {
-                                                                let _e1336 = select(_e1284, _e1275, (_e1275 > _e1284));
-                                                                phi_1758_ = (select(_e1293, _e1336, (_e1336 > _e1293)) < 0f);
+                                                                let _e964 = select(_e912, _e903, (_e903 > _e912));
+                                                                phi_1758_ = (select(_e921, _e964, (_e964 > _e921)) < 0f);
                                                             }
-                                                            let _e1341 = phi_1758_;
-                                                            if _e1341 {
+                                                            let _e969 = phi_1758_;
+                                                            if _e969 {
                                                                 phi_2463_ = type_19();
                                                                 phi_2464_ = true;
                                                                 phi_2465_ = false;
                                                             } else {
-                                                                let _e1343 = select(_e1287, _e1278, (_e1278 < _e1287));
-                                                                if (select(_e1296, _e1343, (_e1343 < _e1296)) > 0f) {
+                                                                let _e971 = select(_e915, _e906, (_e906 < _e915));
+                                                                if (select(_e924, _e971, (_e971 < _e924)) > 0f) {
                                                                     phi_1787_ = true;
                                                                 } else {
-                                                                    let _e1348 = select(_e1287, _e1278, (_e1278 > _e1287));
-                                                                    phi_1787_ = (select(_e1296, _e1348, (_e1348 > _e1296)) < 0f);
+                                                                    let _e976 = select(_e915, _e906, (_e906 > _e915));
+                                                                    phi_1787_ = (select(_e924, _e976, (_e976 > _e924)) < 0f);
                                                                 }
-                                                                let _e1353 = phi_1787_;
-                                                                if _e1353 {
+                                                                let _e981 = phi_1787_;
+                                                                if _e981 {
                                                                     phi_2461_ = type_19();
                                                                     phi_2462_ = false;
                                                                 } else {
-                                                                    let _e1355 = select(_e1191, _e1131, (_e1131 < _e1191));
-                                                                    let _e1359 = select(_e1191, _e1131, (_e1131 > _e1191));
-                                                                    let _e1363 = select(_e1206, _e1153, (_e1153 < _e1206));
-                                                                    let _e1367 = select(_e1206, _e1153, (_e1153 > _e1206));
-                                                                    let _e1371 = select(_e1221, _e1175, (_e1175 < _e1221));
-                                                                    let _e1375 = select(_e1221, _e1175, (_e1175 > _e1221));
-                                                                    let _e1380 = ((select(_e1237, _e1355, (_e1355 < _e1237)) - _e346) * _e351);
-                                                                    let _e1381 = ((select(_e1237, _e1359, (_e1359 > _e1237)) - _e347) * _e351);
-                                                                    let _e1384 = ((select(_e1252, _e1363, (_e1363 < _e1252)) - _e412) * _e417);
-                                                                    let _e1385 = ((select(_e1252, _e1367, (_e1367 > _e1252)) - _e413) * _e417);
-                                                                    let _e1388 = ((select(_e1267, _e1371, (_e1371 < _e1267)) - _e478) * _e483);
-                                                                    let _e1389 = ((select(_e1267, _e1375, (_e1375 > _e1267)) - _e479) * _e483);
-                                                                    let _e1391 = select(_e1389, _e1388, (_e1388 < _e1389));
-                                                                    let _e1393 = select(_e1389, _e1388, (_e1388 > _e1389));
-                                                                    let _e1395 = select(_e1381, _e1380, (_e1380 < _e1381));
-                                                                    let _e1397 = select(_e1385, _e1384, (_e1384 < _e1385));
-                                                                    let _e1399 = select(_e1397, _e1395, (_e1395 > _e1397));
-                                                                    let _e1401 = select(_e1391, _e1399, (_e1399 > _e1391));
-                                                                    let _e1403 = select(_e1381, _e1380, (_e1380 > _e1381));
-                                                                    let _e1405 = select(_e1385, _e1384, (_e1384 > _e1385));
-                                                                    let _e1407 = select(_e1405, _e1403, (_e1403 < _e1405));
-                                                                    let _e1409 = select(_e1393, _e1407, (_e1407 < _e1393));
-                                                                    let _e1410 = -(_e1391);
-                                                                    let _e1416 = select(_e594, _e1401, (_e1401 > _e594));
-                                                                    if (_e1416 > (_e1409 + (select(_e1410, _e1393, (_e1393 > _e1410)) * 0.0000019073523f))) {
+                                                                    let _e983 = select(_e819, _e759, (_e759 < _e819));
+                                                                    let _e987 = select(_e819, _e759, (_e759 > _e819));
+                                                                    let _e991 = select(_e834, _e781, (_e781 < _e834));
+                                                                    let _e995 = select(_e834, _e781, (_e781 > _e834));
+                                                                    let _e999 = select(_e849, _e803, (_e803 < _e849));
+                                                                    let _e1003 = select(_e849, _e803, (_e803 > _e849));
+                                                                    let _e1008 = ((select(_e865, _e983, (_e983 < _e865)) - _e346) * _e351);
+                                                                    let _e1009 = ((select(_e865, _e987, (_e987 > _e865)) - _e347) * _e351);
+                                                                    let _e1012 = ((select(_e880, _e991, (_e991 < _e880)) - _e412) * _e417);
+                                                                    let _e1013 = ((select(_e880, _e995, (_e995 > _e880)) - _e413) * _e417);
+                                                                    let _e1016 = ((select(_e895, _e999, (_e999 < _e895)) - _e478) * _e483);
+                                                                    let _e1017 = ((select(_e895, _e1003, (_e1003 > _e895)) - _e479) * _e483);
+                                                                    let _e1019 = select(_e1017, _e1016, (_e1016 < _e1017));
+                                                                    let _e1021 = select(_e1017, _e1016, (_e1016 > _e1017));
+                                                                    let _e1023 = select(_e1009, _e1008, (_e1008 < _e1009));
+                                                                    let _e1025 = select(_e1013, _e1012, (_e1012 < _e1013));
+                                                                    let _e1027 = select(_e1025, _e1023, (_e1023 > _e1025));
+                                                                    let _e1029 = select(_e1019, _e1027, (_e1027 > _e1019));
+                                                                    let _e1031 = select(_e1009, _e1008, (_e1008 > _e1009));
+                                                                    let _e1033 = select(_e1013, _e1012, (_e1012 > _e1013));
+                                                                    let _e1035 = select(_e1033, _e1031, (_e1031 < _e1033));
+                                                                    let _e1037 = select(_e1021, _e1035, (_e1035 < _e1021));
+                                                                    let _e1038 = -(_e1019);
+                                                                    let _e1044 = select(_e594, _e1029, (_e1029 > _e594));
+                                                                    if (_e1044 > (_e1037 + (select(_e1038, _e1021, (_e1021 > _e1038)) * 0.0000019073523f))) {
                                                                         phi_2456_ = type_19();
                                                                         phi_2457_ = true;
                                                                     } else {
-                                                                        let _e1418 = (_e1416 > _e1061.member.member_1);
-                                                                        if _e1418 {
+                                                                        let _e1046 = (_e1044 > _e689.member.member_1);
+                                                                        if _e1046 {
                                                                             phi_2455_ = type_19();
                                                                         } else {
-                                                                            let _e1419 = vec3<f32>(_e1131, _e1153, _e1175);
-                                                                            let _e1420 = vec3<f32>(_e1191, _e1206, _e1221);
-                                                                            let _e1421 = vec3<f32>(_e1237, _e1252, _e1267);
-                                                                            let _e1422 = (_e1191 - _e1131);
-                                                                            let _e1423 = (_e1206 - _e1153);
-                                                                            let _e1424 = (_e1221 - _e1175);
-                                                                            let _e1425 = vec3<f32>(_e1422, _e1423, _e1424);
-                                                                            let _e1426 = (_e1237 - _e1191);
-                                                                            let _e1427 = (_e1252 - _e1206);
-                                                                            let _e1428 = (_e1267 - _e1221);
-                                                                            let _e1429 = vec3<f32>(_e1426, _e1427, _e1428);
-                                                                            let _e1430 = (_e1131 - _e1237);
-                                                                            let _e1431 = (_e1153 - _e1252);
-                                                                            let _e1432 = (_e1175 - _e1267);
-                                                                            let _e1433 = vec3<f32>(_e1430, _e1431, _e1432);
-                                                                            let _e1436 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
-                                                                            let _e1439 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
-                                                                            let _e1441 = select(_e1439, _e1436, (_e1436 > _e1439));
-                                                                            let _e1444 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
-                                                                            let _e1446 = select(_e1444, _e1441, (_e1441 > _e1444));
-                                                                            let _e1449 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
-                                                                            let _e1452 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
-                                                                            let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
-                                                                            let _e1457 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
-                                                                            let _e1459 = select(_e1457, _e1454, (_e1454 > _e1457));
-                                                                            let _e1462 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
-                                                                            let _e1465 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
-                                                                            let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
-                                                                            let _e1470 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
-                                                                            let _e1472 = select(_e1470, _e1467, (_e1467 > _e1470));
-                                                                            let _e1474 = select(_e1459, _e1446, (_e1446 > _e1459));
-                                                                            let _e1476 = select(_e1472, _e1474, (_e1474 > _e1472));
-                                                                            if (_e1446 == _e1476) {
-                                                                                phi_2182_ = _e1287;
-                                                                                phi_2183_ = _e1284;
-                                                                                phi_2184_ = _e1278;
-                                                                                phi_2185_ = _e1275;
-                                                                                phi_2186_ = _e1419;
-                                                                                phi_2187_ = _e1433;
-                                                                                phi_2188_ = _e1429;
-                                                                                phi_2189_ = _e1425;
+                                                                            let _e1047 = vec3<f32>(_e759, _e781, _e803);
+                                                                            let _e1048 = vec3<f32>(_e819, _e834, _e849);
+                                                                            let _e1049 = vec3<f32>(_e865, _e880, _e895);
+                                                                            let _e1050 = (_e819 - _e759);
+                                                                            let _e1051 = (_e834 - _e781);
+                                                                            let _e1052 = (_e849 - _e803);
+                                                                            let _e1053 = vec3<f32>(_e1050, _e1051, _e1052);
+                                                                            let _e1054 = (_e865 - _e819);
+                                                                            let _e1055 = (_e880 - _e834);
+                                                                            let _e1056 = (_e895 - _e849);
+                                                                            let _e1057 = vec3<f32>(_e1054, _e1055, _e1056);
+                                                                            let _e1058 = (_e759 - _e865);
+                                                                            let _e1059 = (_e781 - _e880);
+                                                                            let _e1060 = (_e803 - _e895);
+                                                                            let _e1061 = vec3<f32>(_e1058, _e1059, _e1060);
+                                                                            let _e1064 = bitcast<f32>((bitcast<u32>(_e1050) & 2147483647u));
+                                                                            let _e1067 = bitcast<f32>((bitcast<u32>(_e1051) & 2147483647u));
+                                                                            let _e1069 = select(_e1067, _e1064, (_e1064 > _e1067));
+                                                                            let _e1072 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
+                                                                            let _e1074 = select(_e1072, _e1069, (_e1069 > _e1072));
+                                                                            let _e1077 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
+                                                                            let _e1080 = bitcast<f32>((bitcast<u32>(_e1055) & 2147483647u));
+                                                                            let _e1082 = select(_e1080, _e1077, (_e1077 > _e1080));
+                                                                            let _e1085 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
+                                                                            let _e1087 = select(_e1085, _e1082, (_e1082 > _e1085));
+                                                                            let _e1090 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
+                                                                            let _e1093 = bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u));
+                                                                            let _e1095 = select(_e1093, _e1090, (_e1090 > _e1093));
+                                                                            let _e1098 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
+                                                                            let _e1100 = select(_e1098, _e1095, (_e1095 > _e1098));
+                                                                            let _e1102 = select(_e1087, _e1074, (_e1074 > _e1087));
+                                                                            let _e1104 = select(_e1100, _e1102, (_e1102 > _e1100));
+                                                                            if (_e1074 == _e1104) {
+                                                                                phi_2182_ = _e915;
+                                                                                phi_2183_ = _e912;
+                                                                                phi_2184_ = _e906;
+                                                                                phi_2185_ = _e903;
+                                                                                phi_2186_ = _e1047;
+                                                                                phi_2187_ = _e1061;
+                                                                                phi_2188_ = _e1057;
+                                                                                phi_2189_ = _e1053;
                                                                             } else {
-                                                                                let _e1478 = (_e1459 == _e1476);
-                                                                                let _e1483 = vec3(_e1478);
-                                                                                phi_2182_ = select(_e1278, _e1296, _e1478);
-                                                                                phi_2183_ = select(_e1275, _e1293, _e1478);
-                                                                                phi_2184_ = select(_e1296, _e1287, _e1478);
-                                                                                phi_2185_ = select(_e1293, _e1284, _e1478);
-                                                                                phi_2186_ = select(_e1421, _e1420, _e1483);
-                                                                                phi_2187_ = select(_e1429, _e1425, _e1483);
-                                                                                phi_2188_ = select(_e1425, _e1433, _e1483);
-                                                                                phi_2189_ = select(_e1433, _e1429, _e1483);
+                                                                                let _e1106 = (_e1087 == _e1104);
+                                                                                let _e1111 = vec3(_e1106);
+                                                                                phi_2182_ = select(_e906, _e924, _e1106);
+                                                                                phi_2183_ = select(_e903, _e921, _e1106);
+                                                                                phi_2184_ = select(_e924, _e915, _e1106);
+                                                                                phi_2185_ = select(_e921, _e912, _e1106);
+                                                                                phi_2186_ = select(_e1049, _e1048, _e1111);
+                                                                                phi_2187_ = select(_e1057, _e1053, _e1111);
+                                                                                phi_2188_ = select(_e1053, _e1061, _e1111);
+                                                                                phi_2189_ = select(_e1061, _e1057, _e1111);
                                                                             }
-                                                                            let _e1489 = phi_2182_;
-                                                                            let _e1491 = phi_2183_;
-                                                                            let _e1493 = phi_2184_;
-                                                                            let _e1495 = phi_2185_;
-                                                                            let _e1497 = phi_2186_;
-                                                                            let _e1499 = phi_2187_;
-                                                                            let _e1501 = phi_2188_;
-                                                                            let _e1503 = phi_2189_;
-                                                                            let _e1510 = ((_e1501.y * _e1499.z) - (_e1499.y * _e1501.z));
-                                                                            let _e1515 = ((_e1501.z * _e1499.x) - (_e1499.z * _e1501.x));
-                                                                            let _e1518 = ((_e1501.x * _e1499.y) - (_e1499.x * _e1501.y));
-                                                                            if (_e1318 >= _e1322) {
-                                                                                phi_2226_ = select(true, false, (_e1318 >= _e1326));
+                                                                            let _e1117 = phi_2182_;
+                                                                            let _e1119 = phi_2183_;
+                                                                            let _e1121 = phi_2184_;
+                                                                            let _e1123 = phi_2185_;
+                                                                            let _e1125 = phi_2186_;
+                                                                            let _e1127 = phi_2187_;
+                                                                            let _e1129 = phi_2188_;
+                                                                            let _e1131 = phi_2189_;
+                                                                            let _e1138 = ((_e1129.y * _e1127.z) - (_e1127.y * _e1129.z));
+                                                                            let _e1143 = ((_e1129.z * _e1127.x) - (_e1127.z * _e1129.x));
+                                                                            let _e1146 = ((_e1129.x * _e1127.y) - (_e1127.x * _e1129.y));
+                                                                            if (_e946 >= _e950) {
+                                                                                phi_2226_ = select(true, false, (_e946 >= _e954));
                                                                             } else {
                                                                                 phi_2226_ = true;
                                                                             }
-                                                                            let _e1523 = phi_2226_;
-                                                                            if _e1523 {
-                                                                                phi_2235_ = select(_e1421, _e1420, vec3((_e1322 >= _e1326)));
+                                                                            let _e1151 = phi_2226_;
+                                                                            if _e1151 {
+                                                                                phi_2235_ = select(_e1049, _e1048, vec3((_e950 >= _e954)));
                                                                             } else {
-                                                                                phi_2235_ = _e1419;
+                                                                                phi_2235_ = _e1047;
                                                                             }
-                                                                            let _e1528 = phi_2235_;
-                                                                            let _e1539 = (((_e1510 * (_e1528.x - _e308)) + (_e1515 * (_e1528.y - _e375))) + (_e1518 * (_e1528.z - _e441)));
-                                                                            let _e1544 = (((_e1510 * _e348) + (_e1515 * _e414)) + (_e1518 * _e480));
-                                                                            let _e1545 = (_e1491 - _e1495);
-                                                                            let _e1546 = (_e1489 - _e1493);
-                                                                            let _e1554 = (-(((_e1495 * _e1545) + (_e1493 * _e1546))) / ((_e1545 * _e1545) + (_e1546 * _e1546)));
-                                                                            let _e1556 = select(1f, _e1554, (_e1554 < 1f));
-                                                                            let _e1558 = select(0f, _e1556, (_e1556 > 0f));
-                                                                            let _e1571 = ((_e1497.x + (_e1503.x * _e1558)) - _e308);
-                                                                            let _e1572 = ((_e1497.y + (_e1503.y * _e1558)) - _e375);
-                                                                            let _e1573 = ((_e1497.z + (_e1503.z * _e1558)) - _e441);
-                                                                            let _e1574 = (_e1573 / _e480);
-                                                                            let _e1586 = bitcast<f32>((bitcast<u32>(_e1571) & 2147483647u));
-                                                                            let _e1589 = bitcast<f32>((bitcast<u32>(_e1572) & 2147483647u));
-                                                                            let _e1591 = select(_e1589, _e1586, (_e1586 > _e1589));
-                                                                            let _e1594 = bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u));
-                                                                            let _e1596 = select(_e1594, _e1591, (_e1591 > _e1594));
-                                                                            let _e1602 = bitcast<f32>((bitcast<u32>(_e1510) & 2147483647u));
-                                                                            let _e1605 = bitcast<f32>((bitcast<u32>(_e1515) & 2147483647u));
-                                                                            let _e1607 = select(_e1605, _e1602, (_e1602 > _e1605));
-                                                                            let _e1610 = bitcast<f32>((bitcast<u32>(_e1518) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1510 * _e1571) + (_e1515 * _e1572)) + (_e1518 * _e1573)) - _e1539)) & 2147483647u)) <= ((0.0000009536743f * select(_e1476, _e1596, (_e1596 > _e1476))) * select(_e1610, _e1607, (_e1607 > _e1610)))) {
-                                                                                let _e1620 = bitcast<f32>((bitcast<u32>(_e1501.x) & 2147483647u));
-                                                                                let _e1623 = bitcast<f32>((bitcast<u32>(_e1501.y) & 2147483647u));
-                                                                                let _e1625 = select(_e1623, _e1620, (_e1620 > _e1623));
-                                                                                let _e1628 = bitcast<f32>((bitcast<u32>(_e1501.z) & 2147483647u));
-                                                                                let _e1634 = bitcast<f32>((bitcast<u32>(_e1499.x) & 2147483647u));
-                                                                                let _e1637 = bitcast<f32>((bitcast<u32>(_e1499.y) & 2147483647u));
-                                                                                let _e1639 = select(_e1637, _e1634, (_e1634 > _e1637));
-                                                                                let _e1642 = bitcast<f32>((bitcast<u32>(_e1499.z) & 2147483647u));
-                                                                                let _e1646 = (bitcast<f32>((bitcast<u32>(_e1544) & 2147483647u)) > ((0.0000038146973f * select(_e1628, _e1625, (_e1625 > _e1628))) * select(_e1642, _e1639, (_e1639 > _e1642))));
-                                                                                if _e1646 {
-                                                                                    phi_2400_ = (_e1539 / _e1544);
+                                                                            let _e1156 = phi_2235_;
+                                                                            let _e1167 = (((_e1138 * (_e1156.x - _e308)) + (_e1143 * (_e1156.y - _e375))) + (_e1146 * (_e1156.z - _e441)));
+                                                                            let _e1172 = (((_e1138 * _e348) + (_e1143 * _e414)) + (_e1146 * _e480));
+                                                                            let _e1173 = (_e1119 - _e1123);
+                                                                            let _e1174 = (_e1117 - _e1121);
+                                                                            let _e1182 = (-(((_e1123 * _e1173) + (_e1121 * _e1174))) / ((_e1173 * _e1173) + (_e1174 * _e1174)));
+                                                                            let _e1184 = select(1f, _e1182, (_e1182 < 1f));
+                                                                            let _e1186 = select(0f, _e1184, (_e1184 > 0f));
+                                                                            let _e1199 = ((_e1125.x + (_e1131.x * _e1186)) - _e308);
+                                                                            let _e1200 = ((_e1125.y + (_e1131.y * _e1186)) - _e375);
+                                                                            let _e1201 = ((_e1125.z + (_e1131.z * _e1186)) - _e441);
+                                                                            let _e1202 = (_e1201 / _e480);
+                                                                            let _e1214 = bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u));
+                                                                            let _e1217 = bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u));
+                                                                            let _e1219 = select(_e1217, _e1214, (_e1214 > _e1217));
+                                                                            let _e1222 = bitcast<f32>((bitcast<u32>(_e1201) & 2147483647u));
+                                                                            let _e1224 = select(_e1222, _e1219, (_e1219 > _e1222));
+                                                                            let _e1230 = bitcast<f32>((bitcast<u32>(_e1138) & 2147483647u));
+                                                                            let _e1233 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
+                                                                            let _e1235 = select(_e1233, _e1230, (_e1230 > _e1233));
+                                                                            let _e1238 = bitcast<f32>((bitcast<u32>(_e1146) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1138 * _e1199) + (_e1143 * _e1200)) + (_e1146 * _e1201)) - _e1167)) & 2147483647u)) <= ((0.0000009536743f * select(_e1104, _e1224, (_e1224 > _e1104))) * select(_e1238, _e1235, (_e1235 > _e1238)))) {
+                                                                                let _e1248 = bitcast<f32>((bitcast<u32>(_e1129.x) & 2147483647u));
+                                                                                let _e1251 = bitcast<f32>((bitcast<u32>(_e1129.y) & 2147483647u));
+                                                                                let _e1253 = select(_e1251, _e1248, (_e1248 > _e1251));
+                                                                                let _e1256 = bitcast<f32>((bitcast<u32>(_e1129.z) & 2147483647u));
+                                                                                let _e1262 = bitcast<f32>((bitcast<u32>(_e1127.x) & 2147483647u));
+                                                                                let _e1265 = bitcast<f32>((bitcast<u32>(_e1127.y) & 2147483647u));
+                                                                                let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
+                                                                                let _e1270 = bitcast<f32>((bitcast<u32>(_e1127.z) & 2147483647u));
+                                                                                let _e1274 = (bitcast<f32>((bitcast<u32>(_e1172) & 2147483647u)) > ((0.0000038146973f * select(_e1256, _e1253, (_e1253 > _e1256))) * select(_e1270, _e1267, (_e1267 > _e1270))));
+                                                                                if _e1274 {
+                                                                                    phi_2400_ = (_e1167 / _e1172);
                                                                                 } else {
                                                                                     phi_2400_ = f32();
                                                                                 }
-                                                                                let _e1649 = phi_2400_;
-                                                                                phi_2402_ = _e1649;
-                                                                                phi_2403_ = select(true, false, _e1646);
+                                                                                let _e1277 = phi_2400_;
+                                                                                phi_2402_ = _e1277;
+                                                                                phi_2403_ = select(true, false, _e1274);
                                                                             } else {
                                                                                 phi_2402_ = f32();
                                                                                 phi_2403_ = true;
                                                                             }
-                                                                            let _e1652 = phi_2402_;
-                                                                            let _e1654 = phi_2403_;
-                                                                            if _e1654 {
-                                                                                let _e1662 = (((_e1510 * (_e1571 - (_e348 * _e1574))) + (_e1515 * (_e1572 - (_e414 * _e1574)))) / _e1544);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1662) & 2147483647u)) <= _e1476) {
-                                                                                    phi_2423_ = (_e1574 + _e1662);
+                                                                            let _e1280 = phi_2402_;
+                                                                            let _e1282 = phi_2403_;
+                                                                            if _e1282 {
+                                                                                let _e1290 = (((_e1138 * (_e1199 - (_e348 * _e1202))) + (_e1143 * (_e1200 - (_e414 * _e1202)))) / _e1172);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1290) & 2147483647u)) <= _e1104) {
+                                                                                    phi_2423_ = (_e1202 + _e1290);
                                                                                 } else {
-                                                                                    phi_2423_ = _e1574;
+                                                                                    phi_2423_ = _e1202;
                                                                                 }
-                                                                                let _e1669 = phi_2423_;
-                                                                                phi_2424_ = _e1669;
+                                                                                let _e1297 = phi_2423_;
+                                                                                phi_2424_ = _e1297;
                                                                             } else {
-                                                                                phi_2424_ = _e1652;
+                                                                                phi_2424_ = _e1280;
                                                                             }
-                                                                            let _e1671 = phi_2424_;
-                                                                            let _e1673 = select(_e1409, _e1671, (_e1671 < _e1409));
-                                                                            let _e1675 = select(_e1401, _e1673, (_e1673 > _e1401));
-                                                                            if (_e1675 >= _e594) {
-                                                                                let _e1677 = (_e1675 <= _e1061.member.member_1);
-                                                                                if _e1677 {
-                                                                                    let _e1678 = (1f / _e1328);
-                                                                                    phi_2447_ = type_19(_e1675, (_e1322 * _e1678), (_e1326 * _e1678), _e1095);
+                                                                            let _e1299 = phi_2424_;
+                                                                            let _e1301 = select(_e1037, _e1299, (_e1299 < _e1037));
+                                                                            let _e1303 = select(_e1029, _e1301, (_e1301 > _e1029));
+                                                                            if (_e1303 >= _e594) {
+                                                                                let _e1305 = (_e1303 <= _e689.member.member_1);
+                                                                                if _e1305 {
+                                                                                    let _e1306 = (1f / _e956);
+                                                                                    phi_2447_ = type_19(_e1303, (_e950 * _e1306), (_e954 * _e1306), _e723);
                                                                                 } else {
                                                                                     phi_2447_ = type_19();
                                                                                 }
-                                                                                let _e1683 = phi_2447_;
-                                                                                phi_2449_ = _e1683;
-                                                                                phi_2450_ = select(true, false, _e1677);
+                                                                                let _e1311 = phi_2447_;
+                                                                                phi_2449_ = _e1311;
+                                                                                phi_2450_ = select(true, false, _e1305);
                                                                             } else {
                                                                                 phi_2449_ = type_19();
                                                                                 phi_2450_ = true;
                                                                             }
-                                                                            let _e1686 = phi_2449_;
-                                                                            let _e1688 = phi_2450_;
-                                                                            if _e1688 {
+                                                                            let _e1314 = phi_2449_;
+                                                                            let _e1316 = phi_2450_;
+                                                                            if _e1316 {
                                                                                 phi_2454_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2454_ = _e1686;
+                                                                                phi_2454_ = _e1314;
                                                                             }
-                                                                            let _e1690 = phi_2454_;
-                                                                            phi_2455_ = _e1690;
+                                                                            let _e1318 = phi_2454_;
+                                                                            phi_2455_ = _e1318;
                                                                         }
-                                                                        let _e1692 = phi_2455_;
-                                                                        phi_2456_ = _e1692;
-                                                                        phi_2457_ = _e1418;
+                                                                        let _e1320 = phi_2455_;
+                                                                        phi_2456_ = _e1320;
+                                                                        phi_2457_ = _e1046;
                                                                     }
-                                                                    let _e1694 = phi_2456_;
-                                                                    let _e1696 = phi_2457_;
-                                                                    phi_2461_ = _e1694;
-                                                                    phi_2462_ = _e1696;
+                                                                    let _e1322 = phi_2456_;
+                                                                    let _e1324 = phi_2457_;
+                                                                    phi_2461_ = _e1322;
+                                                                    phi_2462_ = _e1324;
                                                                 }
-                                                                let _e1698 = phi_2461_;
-                                                                let _e1700 = phi_2462_;
-                                                                phi_2463_ = _e1698;
-                                                                phi_2464_ = _e1353;
-                                                                phi_2465_ = _e1700;
+                                                                let _e1326 = phi_2461_;
+                                                                let _e1328 = phi_2462_;
+                                                                phi_2463_ = _e1326;
+                                                                phi_2464_ = _e981;
+                                                                phi_2465_ = _e1328;
                                                             }
-                                                            let _e1702 = phi_2463_;
-                                                            let _e1704 = phi_2464_;
-                                                            let _e1706 = phi_2465_;
-                                                            phi_2466_ = _e1702;
-                                                            phi_2467_ = _e1704;
-                                                            phi_2468_ = _e1706;
+                                                            let _e1330 = phi_2463_;
+                                                            let _e1332 = phi_2464_;
+                                                            let _e1334 = phi_2465_;
+                                                            phi_2466_ = _e1330;
+                                                            phi_2467_ = _e1332;
+                                                            phi_2468_ = _e1334;
                                                         }
-                                                        let _e1708 = phi_2466_;
-                                                        let _e1710 = phi_2467_;
-                                                        let _e1712 = phi_2468_;
-                                                        phi_2476_ = _e1708;
-                                                        phi_2477_ = select(_e1712, true, _e1710);
+                                                        let _e1336 = phi_2466_;
+                                                        let _e1338 = phi_2467_;
+                                                        let _e1340 = phi_2468_;
+                                                        phi_2476_ = _e1336;
+                                                        phi_2477_ = select(_e1340, true, _e1338);
                                                     } else {
                                                         phi_2476_ = type_19();
                                                         phi_2477_ = true;
                                                     }
-                                                    let _e1715 = phi_2476_;
-                                                    let _e1717 = phi_2477_;
-                                                    if _e1717 {
+                                                    let _e1343 = phi_2476_;
+                                                    let _e1345 = phi_2477_;
+                                                    if _e1345 {
                                                         phi_2481_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2481_ = _e1715;
+                                                        phi_2481_ = _e1343;
                                                     }
-                                                    let _e1719 = phi_2481_;
-                                                    if (_e1719.member_3 != 4294967295u) {
-                                                        if (_e1095 != _e600) {
-                                                            if (_e1719.member < _e1061.member.member.member) {
+                                                    let _e1347 = phi_2481_;
+                                                    if (_e1347.member_3 != 4294967295u) {
+                                                        if (_e723 != _e600) {
+                                                            if (_e1347.member < _e689.member.member.member) {
                                                                 phi_2507_ = true;
                                                             } else {
-                                                                if (_e1719.member == _e1061.member.member.member) {
-                                                                    phi_2506_ = (_e1719.member_3 < _e1061.member.member.member_3);
+                                                                if (_e1347.member == _e689.member.member.member) {
+                                                                    phi_2506_ = (_e1347.member_3 < _e689.member.member.member_3);
                                                                 } else {
                                                                     phi_2506_ = false;
                                                                 }
-                                                                let _e1734 = phi_2506_;
-                                                                phi_2507_ = _e1734;
+                                                                let _e1362 = phi_2506_;
+                                                                phi_2507_ = _e1362;
                                                             }
-                                                            let _e1736 = phi_2507_;
-                                                            if _e1736 {
-                                                                phi_2514_ = type_36(type_34(_e1719, _e1719.member), _e1088.member_1, _e1088.member_2);
+                                                            let _e1364 = phi_2507_;
+                                                            if _e1364 {
+                                                                phi_2514_ = type_36(type_34(_e1347, _e1347.member), _e716.member_1, _e716.member_2);
                                                             } else {
-                                                                phi_2514_ = _e1088;
+                                                                phi_2514_ = _e716;
                                                             }
-                                                            let _e1743 = phi_2514_;
-                                                            phi_2515_ = _e1743;
+                                                            let _e1371 = phi_2514_;
+                                                            phi_2515_ = _e1371;
                                                         } else {
-                                                            phi_2515_ = _e1088;
+                                                            phi_2515_ = _e716;
                                                         }
-                                                        let _e1745 = phi_2515_;
-                                                        phi_2516_ = _e1745;
+                                                        let _e1373 = phi_2515_;
+                                                        phi_2516_ = _e1373;
                                                     } else {
-                                                        phi_2516_ = _e1088;
+                                                        phi_2516_ = _e716;
                                                     }
-                                                    let _e1747 = phi_2516_;
-                                                    phi_1251_ = _e1747;
+                                                    let _e1375 = phi_2516_;
+                                                    phi_1251_ = _e1375;
                                                 } else {
                                                     phi_1251_ = type_36();
                                                 }
-                                                let _e1749 = phi_1251_;
+                                                let _e1377 = phi_1251_;
                                                 continue;
                                                 continuing {
-                                                    phi_1250_ = _e1749;
-                                                    phi_1253_ = _e1076;
-                                                    phi_3856_ = _e631;
-                                                    break if !(_e1082);
+                                                    phi_1250_ = _e1377;
+                                                    phi_1253_ = _e704;
+                                                    phi_3862_ = _e631;
+                                                    break if !(_e710);
                                                 }
                                             }
-                                            let _e1752 = phi_3856_;
-                                            phi_4034_ = _e1752;
-                                            if _e1752 {
+                                            let _e1380 = phi_3862_;
+                                            phi_4040_ = _e1380;
+                                            if _e1380 {
                                                 break;
                                             }
-                                            phi_4038_ = _e1752;
-                                            let _e2080 = local_12;
-                                            phi_3533_ = _e2080;
-                                            phi_3534_ = false;
-                                            phi_3535_ = _e675;
-                                            phi_3536_ = _e677;
+                                            phi_4099_ = _e1380;
+                                            let _e2076 = local_12;
+                                            phi_2517_ = _e2076;
                                         } else {
-                                            let _e687 = (_e677.member_1 < _e88);
-                                            if _e687 {
-                                                if _e687 {
+                                            phi_4099_ = _e631;
+                                            phi_2517_ = _e633;
+                                        }
+                                        let _e1382 = phi_4099_;
+                                        let _e1384 = phi_2517_;
+                                        if _e681 {
+                                            phi_3528_ = type_36();
+                                            phi_3529_ = bool();
+                                            phi_3530_ = u32();
+                                            phi_3531_ = type_53();
+                                        } else {
+                                            let _e1385 = (_e677.member_1 < _e88);
+                                            if _e1385 {
+                                                if _e1385 {
                                                 } else {
-                                                    phi_4034_ = true;
+                                                    phi_4040_ = true;
                                                     break;
                                                 }
-                                                let _e689 = global_6.member[_e677.member_1];
-                                                phi_2542_ = _e689;
+                                                let _e1387 = global_6.member[_e677.member_1];
+                                                phi_2538_ = _e1387;
                                             } else {
-                                                phi_2542_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2538_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e691 = phi_2542_;
-                                            let _e706 = ((10u * _e261) & 31u);
-                                            let _e709 = ((_e691.member[0] >> bitcast<u32>(_e706)) & 1023u);
-                                            let _e717 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e127));
-                                            let _e722 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e127)));
-                                            let _e726 = select(select(_e677.member.member_1[0], _e722, (_e722 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e709 == 1023u));
-                                            let _e728 = ((10u * _e260) & 31u);
-                                            let _e731 = ((_e691.member[0] >> bitcast<u32>(_e728)) & 1023u);
-                                            let _e739 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e127));
-                                            let _e744 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e127)));
-                                            let _e748 = select(select(_e677.member.member_1[1], _e744, (_e744 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e731 == 1023u));
-                                            let _e750 = ((10u * _e262) & 31u);
-                                            let _e753 = ((_e691.member[0] >> bitcast<u32>(_e750)) & 1023u);
-                                            let _e761 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e127));
-                                            let _e766 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e127)));
-                                            let _e770 = select(select(_e677.member.member_1[2], _e766, (_e766 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e753 == 1023u));
-                                            let _e773 = ((_e691.member[1] >> bitcast<u32>(_e706)) & 1023u);
-                                            let _e781 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e127)));
-                                            let _e785 = select(select(_e677.member.member_1[0], _e781, (_e781 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e773 == 1023u));
-                                            let _e788 = ((_e691.member[1] >> bitcast<u32>(_e728)) & 1023u);
-                                            let _e796 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e127)));
-                                            let _e800 = select(select(_e677.member.member_1[1], _e796, (_e796 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e788 == 1023u));
-                                            let _e803 = ((_e691.member[1] >> bitcast<u32>(_e750)) & 1023u);
-                                            let _e811 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e127)));
-                                            let _e815 = select(select(_e677.member.member_1[2], _e811, (_e811 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e803 == 1023u));
-                                            let _e821 = ((_e691.member_1[0] >> bitcast<u32>(_e706)) & 1023u);
-                                            let _e829 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e127)));
-                                            let _e833 = select(select(_e677.member.member_1[0], _e829, (_e829 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e821 == 1023u));
-                                            let _e836 = ((_e691.member_1[0] >> bitcast<u32>(_e728)) & 1023u);
-                                            let _e844 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e127)));
-                                            let _e848 = select(select(_e677.member.member_1[1], _e844, (_e844 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e836 == 1023u));
-                                            let _e851 = ((_e691.member_1[0] >> bitcast<u32>(_e750)) & 1023u);
-                                            let _e859 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e127)));
-                                            let _e863 = select(select(_e677.member.member_1[2], _e859, (_e859 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e851 == 1023u));
-                                            let _e866 = ((_e691.member_1[1] >> bitcast<u32>(_e706)) & 1023u);
-                                            let _e874 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e127)));
-                                            let _e878 = select(select(_e677.member.member_1[0], _e874, (_e874 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e866 == 1023u));
-                                            let _e881 = ((_e691.member_1[1] >> bitcast<u32>(_e728)) & 1023u);
-                                            let _e889 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e127)));
-                                            let _e893 = select(select(_e677.member.member_1[1], _e889, (_e889 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e881 == 1023u));
-                                            let _e896 = ((_e691.member_1[1] >> bitcast<u32>(_e750)) & 1023u);
-                                            let _e904 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e127)));
-                                            let _e908 = select(select(_e677.member.member_1[2], _e904, (_e904 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e896 == 1023u));
-                                            let _e913 = type_53(type_45(array<f32, 3>(_e726, _e748, _e770), array<f32, 3>(_e785, _e800, _e815)), _e691.member_2);
-                                            let _e918 = type_53(type_45(array<f32, 3>(_e833, _e848, _e863), array<f32, 3>(_e878, _e893, _e908)), _e691.member_3);
-                                            let _e931 = ((_e726 - _e346) * _e351);
-                                            let _e932 = ((_e833 - _e346) * _e351);
-                                            let _e933 = ((_e785 - _e347) * _e351);
-                                            let _e934 = ((_e878 - _e347) * _e351);
-                                            let _e939 = ((_e748 - _e412) * _e417);
-                                            let _e940 = ((_e848 - _e412) * _e417);
-                                            let _e941 = ((_e800 - _e413) * _e417);
-                                            let _e942 = ((_e893 - _e413) * _e417);
-                                            let _e947 = ((_e770 - _e478) * _e483);
-                                            let _e948 = ((_e863 - _e478) * _e483);
-                                            let _e949 = ((_e815 - _e479) * _e483);
-                                            let _e950 = ((_e908 - _e479) * _e483);
-                                            let _e952 = select(_e949, _e947, (_e947 < _e949));
-                                            let _e954 = select(_e950, _e948, (_e948 < _e950));
-                                            let _e956 = select(_e949, _e947, (_e947 > _e949));
-                                            let _e958 = select(_e950, _e948, (_e948 > _e950));
-                                            let _e960 = select(_e933, _e931, (_e931 < _e933));
-                                            let _e962 = select(_e934, _e932, (_e932 < _e934));
-                                            let _e964 = select(_e941, _e939, (_e939 < _e941));
-                                            let _e966 = select(_e942, _e940, (_e940 < _e942));
-                                            let _e968 = select(_e964, _e960, (_e960 > _e964));
-                                            let _e970 = select(_e966, _e962, (_e962 > _e966));
-                                            let _e972 = select(_e952, _e968, (_e968 > _e952));
-                                            let _e974 = select(_e954, _e970, (_e970 > _e954));
-                                            let _e976 = select(_e933, _e931, (_e931 > _e933));
-                                            let _e978 = select(_e934, _e932, (_e932 > _e934));
-                                            let _e980 = select(_e941, _e939, (_e939 > _e941));
-                                            let _e982 = select(_e942, _e940, (_e940 > _e942));
-                                            let _e984 = select(_e980, _e976, (_e976 < _e980));
-                                            let _e986 = select(_e982, _e978, (_e978 < _e982));
-                                            let _e991 = -(_e952);
-                                            let _e992 = -(_e954);
-                                            let _e999 = (select(_e956, _e984, (_e984 < _e956)) + (select(_e991, _e956, (_e956 > _e991)) * 0.0000019073523f));
-                                            let _e1000 = (select(_e958, _e986, (_e986 < _e958)) + (select(_e992, _e958, (_e958 > _e992)) * 0.0000019073523f));
-                                            let _e1002 = select(_e594, _e972, (_e972 > _e594));
-                                            let _e1004 = select(_e594, _e974, (_e974 > _e594));
-                                            let _e1009 = (_e1002 <= select(_e633.member.member_1, _e999, (_e999 < _e633.member.member_1)));
-                                            let _e1010 = (_e1004 <= select(_e633.member.member_1, _e1000, (_e1000 < _e633.member.member_1)));
-                                            let _e1011 = (_e1002 <= _e1004);
-                                            if _e1009 {
-                                                if _e1010 {
-                                                    if _e1011 {
-                                                        phi_3431_ = _e918;
+                                            let _e1389 = phi_2538_;
+                                            let _e1404 = ((10u * _e261) & 31u);
+                                            let _e1407 = ((_e1389.member[0] >> bitcast<u32>(_e1404)) & 1023u);
+                                            let _e1415 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e127));
+                                            let _e1420 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1407)) - 8388608f) * _e1415)) ^ _e127)));
+                                            let _e1424 = select(select(_e677.member.member_1[0], _e1420, (_e1420 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1407 == 1023u));
+                                            let _e1426 = ((10u * _e260) & 31u);
+                                            let _e1429 = ((_e1389.member[0] >> bitcast<u32>(_e1426)) & 1023u);
+                                            let _e1437 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e127));
+                                            let _e1442 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1429)) - 8388608f) * _e1437)) ^ _e127)));
+                                            let _e1446 = select(select(_e677.member.member_1[1], _e1442, (_e1442 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1429 == 1023u));
+                                            let _e1448 = ((10u * _e262) & 31u);
+                                            let _e1451 = ((_e1389.member[0] >> bitcast<u32>(_e1448)) & 1023u);
+                                            let _e1459 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e127));
+                                            let _e1464 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1451)) - 8388608f) * _e1459)) ^ _e127)));
+                                            let _e1468 = select(select(_e677.member.member_1[2], _e1464, (_e1464 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1451 == 1023u));
+                                            let _e1471 = ((_e1389.member[1] >> bitcast<u32>(_e1404)) & 1023u);
+                                            let _e1479 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1471)) - 8388608f) * _e1415)) ^ _e127)));
+                                            let _e1483 = select(select(_e677.member.member_1[0], _e1479, (_e1479 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1471 == 1023u));
+                                            let _e1486 = ((_e1389.member[1] >> bitcast<u32>(_e1426)) & 1023u);
+                                            let _e1494 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1486)) - 8388608f) * _e1437)) ^ _e127)));
+                                            let _e1498 = select(select(_e677.member.member_1[1], _e1494, (_e1494 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1486 == 1023u));
+                                            let _e1501 = ((_e1389.member[1] >> bitcast<u32>(_e1448)) & 1023u);
+                                            let _e1509 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1501)) - 8388608f) * _e1459)) ^ _e127)));
+                                            let _e1513 = select(select(_e677.member.member_1[2], _e1509, (_e1509 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1501 == 1023u));
+                                            let _e1519 = ((_e1389.member_1[0] >> bitcast<u32>(_e1404)) & 1023u);
+                                            let _e1527 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1519)) - 8388608f) * _e1415)) ^ _e127)));
+                                            let _e1531 = select(select(_e677.member.member_1[0], _e1527, (_e1527 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1519 == 1023u));
+                                            let _e1534 = ((_e1389.member_1[0] >> bitcast<u32>(_e1426)) & 1023u);
+                                            let _e1542 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1534)) - 8388608f) * _e1437)) ^ _e127)));
+                                            let _e1546 = select(select(_e677.member.member_1[1], _e1542, (_e1542 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1534 == 1023u));
+                                            let _e1549 = ((_e1389.member_1[0] >> bitcast<u32>(_e1448)) & 1023u);
+                                            let _e1557 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1549)) - 8388608f) * _e1459)) ^ _e127)));
+                                            let _e1561 = select(select(_e677.member.member_1[2], _e1557, (_e1557 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1549 == 1023u));
+                                            let _e1564 = ((_e1389.member_1[1] >> bitcast<u32>(_e1404)) & 1023u);
+                                            let _e1572 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1564)) - 8388608f) * _e1415)) ^ _e127)));
+                                            let _e1576 = select(select(_e677.member.member_1[0], _e1572, (_e1572 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1564 == 1023u));
+                                            let _e1579 = ((_e1389.member_1[1] >> bitcast<u32>(_e1426)) & 1023u);
+                                            let _e1587 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1579)) - 8388608f) * _e1437)) ^ _e127)));
+                                            let _e1591 = select(select(_e677.member.member_1[1], _e1587, (_e1587 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1579 == 1023u));
+                                            let _e1594 = ((_e1389.member_1[1] >> bitcast<u32>(_e1448)) & 1023u);
+                                            let _e1602 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1594)) - 8388608f) * _e1459)) ^ _e127)));
+                                            let _e1606 = select(select(_e677.member.member_1[2], _e1602, (_e1602 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1594 == 1023u));
+                                            let _e1611 = type_53(type_45(array<f32, 3>(_e1424, _e1446, _e1468), array<f32, 3>(_e1483, _e1498, _e1513)), _e1389.member_2);
+                                            let _e1616 = type_53(type_45(array<f32, 3>(_e1531, _e1546, _e1561), array<f32, 3>(_e1576, _e1591, _e1606)), _e1389.member_3);
+                                            let _e1629 = ((_e1424 - _e346) * _e351);
+                                            let _e1630 = ((_e1531 - _e346) * _e351);
+                                            let _e1631 = ((_e1483 - _e347) * _e351);
+                                            let _e1632 = ((_e1576 - _e347) * _e351);
+                                            let _e1637 = ((_e1446 - _e412) * _e417);
+                                            let _e1638 = ((_e1546 - _e412) * _e417);
+                                            let _e1639 = ((_e1498 - _e413) * _e417);
+                                            let _e1640 = ((_e1591 - _e413) * _e417);
+                                            let _e1645 = ((_e1468 - _e478) * _e483);
+                                            let _e1646 = ((_e1561 - _e478) * _e483);
+                                            let _e1647 = ((_e1513 - _e479) * _e483);
+                                            let _e1648 = ((_e1606 - _e479) * _e483);
+                                            let _e1650 = select(_e1647, _e1645, (_e1645 < _e1647));
+                                            let _e1652 = select(_e1648, _e1646, (_e1646 < _e1648));
+                                            let _e1654 = select(_e1647, _e1645, (_e1645 > _e1647));
+                                            let _e1656 = select(_e1648, _e1646, (_e1646 > _e1648));
+                                            let _e1658 = select(_e1631, _e1629, (_e1629 < _e1631));
+                                            let _e1660 = select(_e1632, _e1630, (_e1630 < _e1632));
+                                            let _e1662 = select(_e1639, _e1637, (_e1637 < _e1639));
+                                            let _e1664 = select(_e1640, _e1638, (_e1638 < _e1640));
+                                            let _e1666 = select(_e1662, _e1658, (_e1658 > _e1662));
+                                            let _e1668 = select(_e1664, _e1660, (_e1660 > _e1664));
+                                            let _e1670 = select(_e1650, _e1666, (_e1666 > _e1650));
+                                            let _e1672 = select(_e1652, _e1668, (_e1668 > _e1652));
+                                            let _e1674 = select(_e1631, _e1629, (_e1629 > _e1631));
+                                            let _e1676 = select(_e1632, _e1630, (_e1630 > _e1632));
+                                            let _e1678 = select(_e1639, _e1637, (_e1637 > _e1639));
+                                            let _e1680 = select(_e1640, _e1638, (_e1638 > _e1640));
+                                            let _e1682 = select(_e1678, _e1674, (_e1674 < _e1678));
+                                            let _e1684 = select(_e1680, _e1676, (_e1676 < _e1680));
+                                            let _e1689 = -(_e1650);
+                                            let _e1690 = -(_e1652);
+                                            let _e1697 = (select(_e1654, _e1682, (_e1682 < _e1654)) + (select(_e1689, _e1654, (_e1654 > _e1689)) * 0.0000019073523f));
+                                            let _e1698 = (select(_e1656, _e1684, (_e1684 < _e1656)) + (select(_e1690, _e1656, (_e1656 > _e1690)) * 0.0000019073523f));
+                                            let _e1700 = select(_e594, _e1670, (_e1670 > _e594));
+                                            let _e1702 = select(_e594, _e1672, (_e1672 > _e594));
+                                            let _e1707 = (_e1700 <= select(_e1384.member.member_1, _e1697, (_e1697 < _e1384.member.member_1)));
+                                            let _e1708 = (_e1702 <= select(_e1384.member.member_1, _e1698, (_e1698 < _e1384.member.member_1)));
+                                            let _e1709 = (_e1700 <= _e1702);
+                                            if _e1707 {
+                                                if _e1708 {
+                                                    if _e1709 {
+                                                        phi_3427_ = _e1616;
                                                     } else {
-                                                        phi_3431_ = _e913;
+                                                        phi_3427_ = _e1611;
                                                     }
-                                                    let _e1013 = phi_3431_;
-                                                    let _e1021 = (_e675 % 128u);
-                                                    let _e1022 = (_e1021 < 128u);
-                                                    if _e1022 {
+                                                    let _e1711 = phi_3427_;
+                                                    let _e1718 = (_e675 % 128u);
+                                                    let _e1719 = (_e1718 < 128u);
+                                                    if _e1719 {
                                                     } else {
-                                                        phi_4034_ = true;
+                                                        phi_4040_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1021] = _e1013.member_1;
-                                                    if _e1022 {
+                                                    local_6[_e1718] = _e1711.member_1;
+                                                    if _e1719 {
                                                     } else {
-                                                        phi_4034_ = true;
+                                                        phi_4040_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1021] = _e1013.member.member[0];
-                                                    if _e1022 {
+                                                    local_5[_e1718] = _e1711.member.member[0];
+                                                    if _e1719 {
                                                     } else {
-                                                        phi_4034_ = true;
+                                                        phi_4040_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1021] = _e1013.member.member[1];
-                                                    if _e1022 {
+                                                    local_4[_e1718] = _e1711.member.member[1];
+                                                    if _e1719 {
                                                     } else {
-                                                        phi_4034_ = true;
+                                                        phi_4040_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1021] = _e1013.member.member[2];
-                                                    if _e1022 {
+                                                    local_3[_e1718] = _e1711.member.member[2];
+                                                    if _e1719 {
                                                     } else {
-                                                        phi_4034_ = true;
+                                                        phi_4040_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1021] = _e1013.member.member_1[0];
-                                                    if _e1022 {
+                                                    local_2[_e1718] = _e1711.member.member_1[0];
+                                                    if _e1719 {
                                                     } else {
-                                                        phi_4034_ = true;
+                                                        phi_4040_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e1021] = _e1013.member.member_1[1];
-                                                    if _e1022 {
+                                                    local_1[_e1718] = _e1711.member.member_1[1];
+                                                    if _e1719 {
                                                     } else {
-                                                        phi_4034_ = true;
+                                                        phi_4040_ = true;
                                                         break;
                                                     }
-                                                    local[_e1021] = _e1013.member.member_1[2];
-                                                    if _e1022 {
+                                                    local[_e1718] = _e1711.member.member_1[2];
+                                                    if _e1719 {
                                                     } else {
-                                                        phi_4034_ = true;
+                                                        phi_4040_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1021] = select(_e1004, _e1002, !(_e1011));
-                                                    if _e1011 {
-                                                        phi_3508_ = _e913;
+                                                    local_7[_e1718] = select(_e1700, _e1702, _e1709);
+                                                    if _e1709 {
+                                                        phi_3503_ = _e1611;
                                                     } else {
-                                                        phi_3508_ = _e918;
+                                                        phi_3503_ = _e1616;
                                                     }
-                                                    let _e1039 = phi_3508_;
-                                                    phi_3509_ = (_e675 + 1u);
-                                                    phi_3510_ = _e1039;
+                                                    let _e1736 = phi_3503_;
+                                                    phi_3504_ = (_e675 + 1u);
+                                                    phi_3505_ = _e1736;
                                                 } else {
-                                                    phi_3509_ = u32();
-                                                    phi_3510_ = type_53();
+                                                    phi_3504_ = u32();
+                                                    phi_3505_ = type_53();
                                                 }
-                                                let _e1041 = phi_3509_;
-                                                let _e1043 = phi_3510_;
-                                                phi_3512_ = _e1041;
-                                                phi_3513_ = _e1043;
-                                                phi_3514_ = select(true, false, _e1010);
+                                                let _e1738 = phi_3504_;
+                                                let _e1740 = phi_3505_;
+                                                phi_3507_ = _e1738;
+                                                phi_3508_ = _e1740;
+                                                phi_3509_ = select(true, false, _e1708);
                                             } else {
-                                                phi_3512_ = u32();
-                                                phi_3513_ = type_53();
-                                                phi_3514_ = true;
+                                                phi_3507_ = u32();
+                                                phi_3508_ = type_53();
+                                                phi_3509_ = true;
                                             }
-                                            let _e1046 = phi_3512_;
-                                            let _e1048 = phi_3513_;
-                                            let _e1050 = phi_3514_;
-                                            if _e1050 {
-                                                if _e1009 {
-                                                    phi_3521_ = _e913;
+                                            let _e1743 = phi_3507_;
+                                            let _e1745 = phi_3508_;
+                                            let _e1747 = phi_3509_;
+                                            if _e1747 {
+                                                if _e1707 {
+                                                    phi_3516_ = _e1611;
                                                 } else {
-                                                    phi_3521_ = _e918;
+                                                    phi_3516_ = _e1616;
                                                 }
-                                                let _e1052 = phi_3521_;
-                                                phi_3526_ = select(_e1010, true, _e1009);
-                                                phi_3528_ = _e1052;
+                                                let _e1749 = phi_3516_;
+                                                phi_3521_ = select(_e1708, true, _e1707);
+                                                phi_3523_ = _e1749;
                                             } else {
-                                                phi_3526_ = _e673;
-                                                phi_3528_ = _e1048;
+                                                phi_3521_ = _e673;
+                                                phi_3523_ = _e1745;
                                             }
-                                            let _e1055 = phi_3526_;
-                                            let _e1057 = phi_3528_;
-                                            phi_4038_ = _e631;
-                                            phi_3533_ = type_36(_e633.member, (_e633.member_1 + 1u), _e633.member_2);
-                                            phi_3534_ = _e1055;
-                                            phi_3535_ = select(_e1046, _e675, _e1050);
-                                            phi_3536_ = _e1057;
+                                            let _e1752 = phi_3521_;
+                                            let _e1754 = phi_3523_;
+                                            phi_3528_ = type_36(_e1384.member, (_e1384.member_1 + 1u), _e1384.member_2);
+                                            phi_3529_ = _e1752;
+                                            phi_3530_ = select(_e1743, _e675, _e1747);
+                                            phi_3531_ = _e1754;
                                         }
-                                        let _e1754 = phi_4038_;
-                                        let _e1756 = phi_3533_;
-                                        let _e1758 = phi_3534_;
-                                        let _e1760 = phi_3535_;
-                                        let _e1762 = phi_3536_;
-                                        phi_4037_ = _e1754;
-                                        phi_3537_ = _e1756;
-                                        phi_3538_ = _e1758;
-                                        phi_3539_ = (_e637 - 1u);
-                                        phi_3540_ = _e1760;
-                                        phi_3541_ = _e1762;
+                                        let _e1757 = phi_3528_;
+                                        let _e1759 = phi_3529_;
+                                        let _e1761 = phi_3530_;
+                                        let _e1763 = phi_3531_;
+                                        if _e681 {
+                                            phi_3539_ = _e1384;
+                                            phi_3542_ = _e677;
+                                        } else {
+                                            phi_3539_ = _e1757;
+                                            phi_3542_ = _e1763;
+                                        }
+                                        let _e1765 = phi_3539_;
+                                        let _e1767 = phi_3542_;
+                                        phi_4043_ = _e1382;
+                                        phi_3543_ = _e1765;
+                                        phi_3544_ = (_e635 - 1u);
+                                        phi_3545_ = select(_e1759, false, _e681);
+                                        phi_3546_ = select(_e1761, _e675, _e681);
+                                        phi_3547_ = _e1767;
                                     } else {
-                                        phi_4037_ = _e631;
-                                        phi_3537_ = _e633;
-                                        phi_3538_ = _e673;
-                                        phi_3539_ = _e637;
-                                        phi_3540_ = _e675;
-                                        phi_3541_ = _e677;
+                                        phi_4043_ = _e631;
+                                        phi_3543_ = _e633;
+                                        phi_3544_ = _e635;
+                                        phi_3545_ = _e673;
+                                        phi_3546_ = _e675;
+                                        phi_3547_ = _e677;
                                     }
-                                    let _e1764 = phi_4037_;
-                                    let _e1766 = phi_3537_;
-                                    let _e1768 = phi_3538_;
-                                    let _e1770 = phi_3539_;
-                                    let _e1772 = phi_3540_;
-                                    let _e1774 = phi_3541_;
-                                    phi_4036_ = _e1764;
-                                    phi_3542_ = _e1766;
-                                    phi_3543_ = _e1768;
-                                    phi_3544_ = _e1770;
-                                    phi_3545_ = _e1772;
-                                    phi_3546_ = _e1774;
+                                    let _e1771 = phi_4043_;
+                                    let _e1773 = phi_3543_;
+                                    let _e1775 = phi_3544_;
+                                    let _e1777 = phi_3545_;
+                                    let _e1779 = phi_3546_;
+                                    let _e1781 = phi_3547_;
+                                    phi_4042_ = _e1771;
+                                    phi_3548_ = _e1773;
+                                    phi_3549_ = _e1775;
+                                    phi_3550_ = _e1777;
+                                    phi_3551_ = _e1779;
+                                    phi_3552_ = _e1781;
                                 } else {
-                                    phi_4036_ = _e631;
-                                    phi_3542_ = type_36();
-                                    phi_3543_ = bool();
-                                    phi_3544_ = u32();
-                                    phi_3545_ = u32();
-                                    phi_3546_ = type_53();
+                                    phi_4042_ = _e631;
+                                    phi_3548_ = type_36();
+                                    phi_3549_ = u32();
+                                    phi_3550_ = bool();
+                                    phi_3551_ = u32();
+                                    phi_3552_ = type_53();
                                 }
-                                let _e1776 = phi_4036_;
-                                let _e1778 = phi_3542_;
-                                let _e1780 = phi_3543_;
-                                let _e1782 = phi_3544_;
-                                let _e1784 = phi_3545_;
-                                let _e1786 = phi_3546_;
-                                phi_4035_ = _e1776;
-                                phi_1124_ = _e1778;
-                                phi_1127_ = _e1780;
-                                phi_1129_ = _e1782;
-                                phi_1131_ = _e1784;
-                                phi_1133_ = _e1786;
-                                phi_3547_ = _e645;
+                                let _e1783 = phi_4042_;
+                                let _e1785 = phi_3548_;
+                                let _e1787 = phi_3549_;
+                                let _e1789 = phi_3550_;
+                                let _e1791 = phi_3551_;
+                                let _e1793 = phi_3552_;
+                                phi_4041_ = _e1783;
+                                phi_1124_ = _e1785;
+                                phi_1127_ = _e1787;
+                                phi_1129_ = _e1789;
+                                phi_1131_ = _e1791;
+                                phi_1133_ = _e1793;
+                                phi_3553_ = _e645;
                             } else {
-                                phi_4035_ = _e631;
+                                phi_4041_ = _e631;
                                 phi_1124_ = type_36();
-                                phi_1127_ = bool();
-                                phi_1129_ = u32();
+                                phi_1127_ = u32();
+                                phi_1129_ = bool();
                                 phi_1131_ = u32();
                                 phi_1133_ = type_53();
-                                phi_3547_ = false;
+                                phi_3553_ = false;
                             }
-                            let _e1788 = phi_4035_;
-                            let _e1790 = phi_1124_;
-                            let _e1792 = phi_1127_;
-                            let _e1794 = phi_1129_;
-                            let _e1796 = phi_1131_;
-                            let _e1798 = phi_1133_;
-                            let _e1800 = phi_3547_;
+                            let _e1795 = phi_4041_;
+                            let _e1797 = phi_1124_;
+                            let _e1799 = phi_1127_;
+                            let _e1801 = phi_1129_;
+                            let _e1803 = phi_1131_;
+                            let _e1805 = phi_1133_;
+                            let _e1807 = phi_3553_;
                             continue;
                             continuing {
-                                phi_3862_ = _e1788;
-                                phi_1123_ = _e1790;
-                                phi_1126_ = _e1792;
-                                phi_1128_ = _e1794;
-                                phi_1130_ = _e1796;
-                                phi_1132_ = _e1798;
-                                phi_4034_ = _e1788;
-                                break if !(_e1800);
+                                phi_3868_ = _e1795;
+                                phi_1123_ = _e1797;
+                                phi_1126_ = _e1799;
+                                phi_1128_ = _e1801;
+                                phi_1130_ = _e1803;
+                                phi_1132_ = _e1805;
+                                phi_4040_ = _e1795;
+                                break if !(_e1807);
                             }
                         }
-                        let _e1803 = phi_4034_;
-                        if _e1803 {
+                        let _e1810 = phi_4040_;
+                        if _e1810 {
                             break;
                         }
-                        let _e1805 = local_10;
-                        if (_e1805.member.member.member_3 != 4294967295u) {
-                            let _e1811 = bitcast<u32>(_e1805.member.member.member);
-                            let _e1815 = (bitcast<i32>((_e1811 >> bitcast<u32>(23i))) & 255i);
-                            let _e1816 = (_e1815 + _e263);
-                            if (_e1815 == 255i) {
-                                phi_3606_ = _e1805.member.member.member;
+                        let _e1812 = local_10;
+                        if (_e1812.member.member.member_3 != 4294967295u) {
+                            let _e1818 = bitcast<u32>(_e1812.member.member.member);
+                            let _e1822 = (bitcast<i32>((_e1818 >> bitcast<u32>(23i))) & 255i);
+                            let _e1823 = (_e1822 + _e263);
+                            if (_e1822 == 255i) {
+                                phi_3612_ = _e1812.member.member.member;
                             } else {
-                                if (_e1815 > 0i) {
-                                    if (_e1816 > 0i) {
-                                        let _e1820 = (_e1816 < 255i);
-                                        if _e1820 {
-                                            phi_3585_ = bitcast<f32>((_e1811 + bitcast<u32>((_e263 << bitcast<u32>(23i)))));
+                                if (_e1822 > 0i) {
+                                    if (_e1823 > 0i) {
+                                        let _e1827 = (_e1823 < 255i);
+                                        if _e1827 {
+                                            phi_3591_ = bitcast<f32>((_e1818 + bitcast<u32>((_e263 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_3585_ = f32();
+                                            phi_3591_ = f32();
                                         }
-                                        let _e1827 = phi_3585_;
-                                        phi_3587_ = _e1827;
-                                        phi_3588_ = select(true, false, _e1820);
+                                        let _e1834 = phi_3591_;
+                                        phi_3593_ = _e1834;
+                                        phi_3594_ = select(true, false, _e1827);
                                     } else {
-                                        phi_3587_ = f32();
-                                        phi_3588_ = true;
+                                        phi_3593_ = f32();
+                                        phi_3594_ = true;
                                     }
-                                    let _e1830 = phi_3587_;
-                                    let _e1832 = phi_3588_;
-                                    phi_3589_ = _e1830;
-                                    phi_3590_ = _e1832;
+                                    let _e1837 = phi_3593_;
+                                    let _e1839 = phi_3594_;
+                                    phi_3595_ = _e1837;
+                                    phi_3596_ = _e1839;
                                 } else {
-                                    phi_3589_ = f32();
-                                    phi_3590_ = true;
+                                    phi_3595_ = f32();
+                                    phi_3596_ = true;
                                 }
-                                let _e1834 = phi_3589_;
-                                let _e1836 = phi_3590_;
-                                if _e1836 {
-                                    let _e1837 = (_e1811 & 2147483648u);
-                                    let _e1844 = ((_e1811 & 8388607u) | (select(0u, 1u, ((_e1811 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e1848 = (_e1844 == 0u);
-                                    if _e1848 {
-                                        phi_3826_ = bitcast<f32>(_e1837);
+                                let _e1841 = phi_3595_;
+                                let _e1843 = phi_3596_;
+                                if _e1843 {
+                                    let _e1844 = (_e1818 & 2147483648u);
+                                    let _e1851 = ((_e1818 & 8388607u) | (select(0u, 1u, ((_e1818 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1855 = (_e1851 == 0u);
+                                    if _e1855 {
+                                        phi_3832_ = bitcast<f32>(_e1844);
                                     } else {
-                                        let _e1853 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1844)), 32u, _e1848) - 8u);
-                                        let _e1856 = (_e1844 << bitcast<u32>((_e1853 & 31u)));
-                                        let _e1858 = ((_e1816 + select(0i, 1i, (_e1815 == 0i))) - bitcast<i32>(_e1853));
-                                        if (_e1858 >= 255i) {
-                                            phi_3816_ = bitcast<f32>((_e1837 | 2139095040u));
-                                            phi_3817_ = f32();
-                                            phi_3818_ = true;
+                                        let _e1860 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1851)), 32u, _e1855) - 8u);
+                                        let _e1863 = (_e1851 << bitcast<u32>((_e1860 & 31u)));
+                                        let _e1865 = ((_e1823 + select(0i, 1i, (_e1822 == 0i))) - bitcast<i32>(_e1860));
+                                        if (_e1865 >= 255i) {
+                                            phi_3822_ = bitcast<f32>((_e1844 | 2139095040u));
+                                            phi_3823_ = f32();
+                                            phi_3824_ = true;
                                         } else {
-                                            let _e1860 = (_e1858 > 0i);
-                                            if _e1860 {
-                                                phi_3810_ = bitcast<f32>(((_e1837 | (bitcast<u32>(_e1858) << bitcast<u32>(23i))) | (_e1856 & 8388607u)));
-                                                phi_3811_ = f32();
+                                            let _e1867 = (_e1865 > 0i);
+                                            if _e1867 {
+                                                phi_3816_ = bitcast<f32>(((_e1844 | (bitcast<u32>(_e1865) << bitcast<u32>(23i))) | (_e1863 & 8388607u)));
+                                                phi_3817_ = f32();
                                             } else {
-                                                if (_e1858 < -24i) {
-                                                    phi_3776_ = 26u;
+                                                if (_e1865 < -24i) {
+                                                    phi_3782_ = 26u;
                                                 } else {
-                                                    phi_3776_ = bitcast<u32>((1i - _e1858));
+                                                    phi_3782_ = bitcast<u32>((1i - _e1865));
                                                 }
-                                                let _e1865 = phi_3776_;
-                                                let _e1866 = (_e1865 & 31u);
-                                                let _e1868 = (_e1856 >> bitcast<u32>(_e1866));
-                                                let _e1872 = (_e1856 & ((1u << bitcast<u32>(_e1866)) - 1u));
-                                                let _e1876 = (1u << bitcast<u32>(((_e1865 - 1u) & 31u)));
-                                                if (_e1872 > _e1876) {
-                                                    phi_3797_ = true;
+                                                let _e1872 = phi_3782_;
+                                                let _e1873 = (_e1872 & 31u);
+                                                let _e1875 = (_e1863 >> bitcast<u32>(_e1873));
+                                                let _e1879 = (_e1863 & ((1u << bitcast<u32>(_e1873)) - 1u));
+                                                let _e1883 = (1u << bitcast<u32>(((_e1872 - 1u) & 31u)));
+                                                if (_e1879 > _e1883) {
+                                                    phi_3803_ = true;
                                                 } else {
-                                                    if (_e1872 == _e1876) {
-                                                        phi_3794_ = ((_e1868 & 1u) == 1u);
+                                                    if (_e1879 == _e1883) {
+                                                        phi_3800_ = ((_e1875 & 1u) == 1u);
                                                     } else {
-                                                        phi_3794_ = false;
+                                                        phi_3800_ = false;
                                                     }
-                                                    let _e1882 = phi_3794_;
-                                                    phi_3797_ = _e1882;
+                                                    let _e1889 = phi_3800_;
+                                                    phi_3803_ = _e1889;
                                                 }
-                                                let _e1884 = phi_3797_;
-                                                phi_3810_ = f32();
-                                                phi_3811_ = bitcast<f32>((_e1837 | (_e1868 + select(0u, 1u, _e1884))));
+                                                let _e1891 = phi_3803_;
+                                                phi_3816_ = f32();
+                                                phi_3817_ = bitcast<f32>((_e1844 | (_e1875 + select(0u, 1u, _e1891))));
                                             }
-                                            let _e1897 = phi_3810_;
-                                            let _e1899 = phi_3811_;
-                                            phi_3816_ = _e1897;
-                                            phi_3817_ = _e1899;
-                                            phi_3818_ = _e1860;
+                                            let _e1904 = phi_3816_;
+                                            let _e1906 = phi_3817_;
+                                            phi_3822_ = _e1904;
+                                            phi_3823_ = _e1906;
+                                            phi_3824_ = _e1867;
                                         }
-                                        let _e1903 = phi_3816_;
-                                        let _e1905 = phi_3817_;
-                                        let _e1907 = phi_3818_;
-                                        phi_3826_ = select(_e1905, _e1903, _e1907);
+                                        let _e1910 = phi_3822_;
+                                        let _e1912 = phi_3823_;
+                                        let _e1914 = phi_3824_;
+                                        phi_3832_ = select(_e1912, _e1910, _e1914);
                                     }
-                                    let _e1911 = phi_3826_;
-                                    phi_3605_ = _e1911;
+                                    let _e1918 = phi_3832_;
+                                    phi_3611_ = _e1918;
                                 } else {
-                                    phi_3605_ = _e1834;
+                                    phi_3611_ = _e1841;
                                 }
-                                let _e1913 = phi_3605_;
-                                phi_3606_ = _e1913;
+                                let _e1920 = phi_3611_;
+                                phi_3612_ = _e1920;
                             }
-                            let _e1915 = phi_3606_;
-                            let _e1916 = bitcast<u32>(_e1915);
-                            if ((_e1916 & 2147483647u) >= 2139095040u) {
-                                phi_3618_ = bitcast<f32>(((_e1916 & 2147483648u) | 2139095039u));
+                            let _e1922 = phi_3612_;
+                            let _e1923 = bitcast<u32>(_e1922);
+                            if ((_e1923 & 2147483647u) >= 2139095040u) {
+                                phi_3624_ = bitcast<f32>(((_e1923 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_3618_ = _e1915;
+                                phi_3624_ = _e1922;
                             }
-                            let _e1923 = phi_3618_;
-                            phi_3623_ = type_19(_e1923, _e1805.member.member.member_1, _e1805.member.member.member_2, _e1805.member.member.member_3);
+                            let _e1930 = phi_3624_;
+                            phi_3629_ = type_19(_e1930, _e1812.member.member.member_1, _e1812.member.member.member_2, _e1812.member.member.member_3);
                         } else {
-                            phi_3623_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3629_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1928 = phi_3623_;
+                        let _e1935 = phi_3629_;
                         if _e139 {
                         } else {
                             break;
                         }
-                        global_1.member[_e131] = _e1928;
-                        let _e1932 = local_11;
+                        global_1.member[_e131] = _e1935;
+                        let _e1939 = local_11;
                         if _e140 {
                         } else {
                             break;
                         }
-                        global_4.member[_e131] = _e1932.member_1;
+                        global_4.member[_e131] = _e1939.member_1;
                         if _e138 {
                         } else {
                             break;
                         }
-                        let _e1937 = select(0u, 1u, (_e207 <= _e217));
-                        if (_e1937 > 0u) {
-                            let _e1939 = (1u < _e99);
-                            if _e1939 {
+                        let _e1944 = select(0u, 1u, (_e207 <= _e217));
+                        if (_e1944 > 0u) {
+                            let _e1946 = (1u < _e99);
+                            if _e1946 {
                                 if (0u < _e99) {
                                 } else {
                                     break;
                                 }
-                                let _e1943 = atomicAdd((&global_5.member[0u]), _e1937);
-                                if ((_e1943 + _e1937) < _e1943) {
-                                    if _e1939 {
+                                let _e1950 = atomicAdd((&global_5.member[0u]), _e1944);
+                                if ((_e1950 + _e1944) < _e1950) {
+                                    if _e1946 {
                                     } else {
                                         break;
                                     }
-                                    let _e1948 = atomicAdd((&global_5.member[1u]), 1u);
+                                    let _e1955 = atomicAdd((&global_5.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1951 = select(0u, 1u, (_e1928.member_3 != 4294967295u));
-                        if (_e1951 > 0u) {
-                            let _e1953 = (3u < _e99);
-                            if _e1953 {
+                        let _e1958 = select(0u, 1u, (_e1935.member_3 != 4294967295u));
+                        if (_e1958 > 0u) {
+                            let _e1960 = (3u < _e99);
+                            if _e1960 {
                                 if (2u < _e99) {
                                 } else {
                                     break;
                                 }
-                                let _e1957 = atomicAdd((&global_5.member[2u]), _e1951);
-                                if ((_e1957 + _e1951) < _e1957) {
-                                    if _e1953 {
+                                let _e1964 = atomicAdd((&global_5.member[2u]), _e1958);
+                                if ((_e1964 + _e1958) < _e1964) {
+                                    if _e1960 {
                                     } else {
                                         break;
                                     }
-                                    let _e1962 = atomicAdd((&global_5.member[3u]), 1u);
+                                    let _e1969 = atomicAdd((&global_5.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1932.member_1 > 0u) {
-                            let _e1964 = (5u < _e99);
-                            if _e1964 {
+                        if (_e1939.member_1 > 0u) {
+                            let _e1971 = (5u < _e99);
+                            if _e1971 {
                                 if (4u < _e99) {
                                 } else {
                                     break;
                                 }
-                                let _e1968 = atomicAdd((&global_5.member[4u]), _e1932.member_1);
-                                if ((_e1968 + _e1932.member_1) < _e1968) {
-                                    if _e1964 {
+                                let _e1975 = atomicAdd((&global_5.member[4u]), _e1939.member_1);
+                                if ((_e1975 + _e1939.member_1) < _e1975) {
+                                    if _e1971 {
                                     } else {
                                         break;
                                     }
-                                    let _e1973 = atomicAdd((&global_5.member[5u]), 1u);
+                                    let _e1980 = atomicAdd((&global_5.member[5u]), 1u);
                                 }
                             }
                         }

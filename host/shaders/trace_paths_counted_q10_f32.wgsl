@@ -146,34 +146,16 @@ fn function_() {
     var phi_1069_: u32;
     var phi_1077_: f32;
     var phi_1078_: f32;
-    var phi_4114_: bool;
+    var phi_4120_: bool;
     var phi_1183_: type_46;
-    var phi_1186_: bool;
-    var phi_1188_: u32;
+    var phi_1186_: u32;
+    var phi_1188_: bool;
     var phi_1190_: u32;
     var phi_1192_: type_53;
     var phi_1203_: bool;
     var phi_1289_: bool;
     var phi_1290_: u32;
     var phi_1291_: type_53;
-    var phi_3117_: u32;
-    var phi_3118_: u32;
-    var phi_3128_: u32;
-    var phi_3130_: u32;
-    var phi_3131_: bool;
-    var phi_3151_: u32;
-    var phi_3152_: u32;
-    var phi_3156_: type_54;
-    var phi_3521_: type_53;
-    var phi_3598_: type_53;
-    var phi_3599_: u32;
-    var phi_3600_: type_53;
-    var phi_3602_: u32;
-    var phi_3603_: type_53;
-    var phi_3604_: bool;
-    var phi_3613_: type_53;
-    var phi_3618_: bool;
-    var phi_3620_: type_53;
     var phi_1309_: type_46;
     var phi_1312_: type_7;
     var phi_1313_: type_7;
@@ -221,51 +203,72 @@ fn function_() {
     var phi_2384_: type_46;
     var phi_2385_: type_46;
     var phi_1310_: type_46;
-    var phi_4108_: bool;
-    var phi_4272_: bool;
-    var phi_3625_: type_46;
-    var phi_3626_: bool;
-    var phi_3627_: u32;
-    var phi_3628_: type_53;
-    var phi_4271_: bool;
-    var phi_3629_: type_46;
-    var phi_3630_: bool;
-    var phi_3631_: u32;
-    var phi_3632_: u32;
-    var phi_3633_: type_53;
-    var phi_4270_: bool;
-    var phi_3634_: type_46;
-    var phi_3635_: bool;
+    var phi_4114_: bool;
+    var phi_4360_: bool;
+    var phi_2386_: type_46;
+    var phi_3113_: u32;
+    var phi_3114_: u32;
+    var phi_3124_: u32;
+    var phi_3126_: u32;
+    var phi_3127_: bool;
+    var phi_3147_: u32;
+    var phi_3148_: u32;
+    var phi_3152_: type_54;
+    var phi_3517_: type_53;
+    var phi_3593_: type_53;
+    var phi_3594_: u32;
+    var phi_3595_: type_53;
+    var phi_3597_: u32;
+    var phi_3598_: type_53;
+    var phi_3599_: bool;
+    var phi_3608_: type_53;
+    var phi_3613_: bool;
+    var phi_3615_: type_53;
+    var phi_3620_: type_46;
+    var phi_3621_: bool;
+    var phi_3622_: u32;
+    var phi_3623_: type_53;
+    var phi_3631_: type_46;
+    var phi_3634_: type_53;
+    var phi_4277_: bool;
+    var phi_3635_: type_46;
     var phi_3636_: u32;
-    var phi_3637_: u32;
-    var phi_3638_: type_53;
-    var phi_4269_: bool;
+    var phi_3637_: bool;
+    var phi_3638_: u32;
+    var phi_3639_: type_53;
+    var phi_4276_: bool;
+    var phi_3640_: type_46;
+    var phi_3641_: u32;
+    var phi_3642_: bool;
+    var phi_3643_: u32;
+    var phi_3644_: type_53;
+    var phi_4275_: bool;
     var phi_1184_: type_46;
-    var phi_1187_: bool;
-    var phi_1189_: u32;
+    var phi_1187_: u32;
+    var phi_1189_: bool;
     var phi_1191_: u32;
     var phi_1193_: type_53;
-    var phi_3639_: bool;
-    var phi_4268_: bool;
+    var phi_3645_: bool;
+    var phi_4274_: bool;
     var local_10: type_46;
-    var phi_3677_: f32;
-    var phi_3679_: f32;
-    var phi_3680_: bool;
-    var phi_3681_: f32;
-    var phi_3682_: bool;
-    var phi_4016_: u32;
-    var phi_4034_: bool;
-    var phi_4037_: bool;
-    var phi_4050_: f32;
-    var phi_4051_: f32;
+    var phi_3683_: f32;
+    var phi_3685_: f32;
+    var phi_3686_: bool;
+    var phi_3687_: f32;
+    var phi_3688_: bool;
+    var phi_4022_: u32;
+    var phi_4040_: bool;
+    var phi_4043_: bool;
     var phi_4056_: f32;
     var phi_4057_: f32;
-    var phi_4058_: bool;
-    var phi_4066_: f32;
-    var phi_3697_: f32;
-    var phi_3698_: f32;
-    var phi_3710_: f32;
-    var phi_3715_: type_26;
+    var phi_4062_: f32;
+    var phi_4063_: f32;
+    var phi_4064_: bool;
+    var phi_4072_: f32;
+    var phi_3703_: f32;
+    var phi_3704_: f32;
+    var phi_3716_: f32;
+    var phi_3721_: type_26;
     var local_11: type_46;
     var local_12: type_46;
 
@@ -628,14 +631,14 @@ fn function_() {
                             break;
                         }
                         let _e646 = local[_e630];
-                        phi_4114_ = false;
+                        phi_4120_ = false;
                         phi_1183_ = type_46(type_43(type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e607), 0u, 0u);
-                        phi_1186_ = (_e609 <= _e607);
-                        phi_1188_ = ((3u * _e96) + 1u);
+                        phi_1186_ = ((3u * _e96) + 1u);
+                        phi_1188_ = (_e609 <= _e607);
                         phi_1190_ = 0u;
                         phi_1192_ = type_53(type_38(vec4<f32>((f32(_e621) * _e150), (f32(_e627) * _e150), (f32(_e633) * _e150), 0f), vec4<f32>((f32(_e638) * _e150), (f32(_e642) * _e150), (f32(_e646) * _e150), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
                         loop {
-                            let _e656 = phi_4114_;
+                            let _e656 = phi_4120_;
                             let _e658 = phi_1183_;
                             let _e660 = phi_1186_;
                             let _e662 = phi_1188_;
@@ -643,17 +646,17 @@ fn function_() {
                             let _e666 = phi_1192_;
                             local_10 = _e658;
                             local_11 = _e658;
-                            if _e660 {
+                            if _e662 {
                                 phi_1203_ = true;
                             } else {
                                 phi_1203_ = (_e664 > 0u);
                             }
                             let _e669 = phi_1203_;
                             if _e669 {
-                                let _e670 = (_e662 > 0u);
+                                let _e670 = (_e660 > 0u);
                                 if _e670 {
-                                    if _e660 {
-                                        phi_1289_ = _e660;
+                                    if _e662 {
+                                        phi_1289_ = _e662;
                                         phi_1290_ = _e664;
                                         phi_1291_ = _e666;
                                     } else {
@@ -662,49 +665,49 @@ fn function_() {
                                         let _e673 = (_e672 < 128u);
                                         if _e673 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e675 = local_7[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e677 = local_6[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e679 = local_5[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e681 = local_4[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e683 = local_3[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e685 = local_2[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e690 = local_8[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e693 = local_9[_e672];
@@ -716,968 +719,984 @@ fn function_() {
                                     let _e700 = phi_1290_;
                                     let _e702 = phi_1291_;
                                     if _e698 {
-                                        if ((_e702.member_1 & 2147483648u) != 0u) {
+                                        let _e706 = ((_e702.member_1 & 2147483648u) != 0u);
+                                        if _e706 {
                                             phi_1309_ = _e658;
                                             phi_1312_ = type_7(0u, ((_e702.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1159 = phi_1309_;
-                                                let _e1161 = phi_1312_;
-                                                local_12 = _e1159;
-                                                if (_e1161.member < _e1161.member_1) {
-                                                    phi_1313_ = type_7((_e1161.member + 1u), _e1161.member_1);
-                                                    phi_1335_ = type_7(1u, _e1161.member);
+                                                let _e713 = phi_1309_;
+                                                let _e715 = phi_1312_;
+                                                local_12 = _e713;
+                                                if (_e715.member < _e715.member_1) {
+                                                    phi_1313_ = type_7((_e715.member + 1u), _e715.member_1);
+                                                    phi_1335_ = type_7(1u, _e715.member);
                                                 } else {
-                                                    phi_1313_ = _e1161;
+                                                    phi_1313_ = _e715;
                                                     phi_1335_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e1174 = phi_1313_;
-                                                let _e1176 = phi_1335_;
-                                                let _e1180 = (bitcast<i32>(_e1176.member) != 0i);
-                                                if _e1180 {
-                                                    let _e1186 = type_46(_e1159.member, _e1159.member_1, (_e1159.member_2 + 1u));
-                                                    let _e1187 = ((_e702.member_1 & 268435455u) + _e1176.member_1);
-                                                    let _e1188 = (_e1187 < _e98);
-                                                    if _e1188 {
-                                                        if _e1188 {
+                                                let _e728 = phi_1313_;
+                                                let _e730 = phi_1335_;
+                                                let _e734 = (bitcast<i32>(_e730.member) != 0i);
+                                                if _e734 {
+                                                    let _e740 = type_46(_e713.member, _e713.member_1, (_e713.member_2 + 1u));
+                                                    let _e741 = ((_e702.member_1 & 268435455u) + _e730.member_1);
+                                                    let _e742 = (_e741 < _e98);
+                                                    if _e742 {
+                                                        if _e742 {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1192 = global_1.member[_e1187].member_1;
-                                                        phi_1359_ = _e1192;
+                                                        let _e746 = global_1.member[_e741].member_1;
+                                                        phi_1359_ = _e746;
                                                     } else {
                                                         phi_1359_ = 4294967295u;
                                                     }
-                                                    let _e1194 = phi_1359_;
-                                                    if (_e1187 >= _e98) {
+                                                    let _e748 = phi_1359_;
+                                                    if (_e741 >= _e98) {
                                                         phi_1451_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1188 {
+                                                        if _e742 {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
                                                         if (_e618 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1201 = global_1.member[_e1187].member[_e618];
+                                                        let _e755 = global_1.member[_e741].member[_e618];
                                                         if (_e624 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1207 = global_1.member[_e1187].member[_e624];
+                                                        let _e761 = global_1.member[_e741].member[_e624];
                                                         if (_e630 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1213 = global_1.member[_e1187].member[_e630];
-                                                        let _e1215 = (3u + _e618);
-                                                        if (_e1215 < 9u) {
+                                                        let _e767 = global_1.member[_e741].member[_e630];
+                                                        let _e769 = (3u + _e618);
+                                                        if (_e769 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1221 = global_1.member[_e1187].member[_e1215];
-                                                        let _e1222 = (3u + _e624);
-                                                        if (_e1222 < 9u) {
+                                                        let _e775 = global_1.member[_e741].member[_e769];
+                                                        let _e776 = (3u + _e624);
+                                                        if (_e776 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1228 = global_1.member[_e1187].member[_e1222];
-                                                        let _e1229 = (3u + _e630);
-                                                        if (_e1229 < 9u) {
+                                                        let _e782 = global_1.member[_e741].member[_e776];
+                                                        let _e783 = (3u + _e630);
+                                                        if (_e783 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1235 = global_1.member[_e1187].member[_e1229];
-                                                        let _e1237 = (6u + _e618);
-                                                        if (_e1237 < 9u) {
+                                                        let _e789 = global_1.member[_e741].member[_e783];
+                                                        let _e791 = (6u + _e618);
+                                                        if (_e791 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1243 = global_1.member[_e1187].member[_e1237];
-                                                        let _e1244 = (6u + _e624);
-                                                        if (_e1244 < 9u) {
+                                                        let _e797 = global_1.member[_e741].member[_e791];
+                                                        let _e798 = (6u + _e624);
+                                                        if (_e798 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1250 = global_1.member[_e1187].member[_e1244];
-                                                        let _e1251 = (6u + _e630);
-                                                        if (_e1251 < 9u) {
+                                                        let _e804 = global_1.member[_e741].member[_e798];
+                                                        let _e805 = (6u + _e630);
+                                                        if (_e805 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1257 = global_1.member[_e1187].member[_e1251];
-                                                        phi_1451_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1201, _e1207, _e1213), array<f32, 3>(_e1221, _e1228, _e1235), array<f32, 3>(_e1243, _e1250, _e1257));
+                                                        let _e811 = global_1.member[_e741].member[_e805];
+                                                        phi_1451_ = array<array<f32, 3>, 3>(array<f32, 3>(_e755, _e761, _e767), array<f32, 3>(_e775, _e782, _e789), array<f32, 3>(_e797, _e804, _e811));
                                                     }
-                                                    let _e1261 = phi_1451_;
-                                                    let _e1270 = (_e1261[0][2] - _e456);
-                                                    let _e1273 = (((_e1261[0][0] - _e323) * _e495) - (_e1270 * _e363));
-                                                    let _e1276 = (((_e1261[0][1] - _e390) * _e495) - (_e1270 * _e429));
-                                                    let _e1283 = (_e1261[1][2] - _e456);
-                                                    let _e1286 = (((_e1261[1][0] - _e323) * _e495) - (_e1283 * _e363));
-                                                    let _e1289 = (((_e1261[1][1] - _e390) * _e495) - (_e1283 * _e429));
-                                                    let _e1296 = (_e1261[2][2] - _e456);
-                                                    let _e1299 = (((_e1261[2][0] - _e323) * _e495) - (_e1296 * _e363));
-                                                    let _e1302 = (((_e1261[2][1] - _e390) * _e495) - (_e1296 * _e429));
-                                                    let _e1303 = (_e1299 * _e1289);
-                                                    let _e1304 = (_e1302 * _e1286);
-                                                    let _e1305 = (_e1273 * _e1302);
-                                                    let _e1306 = (_e1276 * _e1299);
-                                                    let _e1307 = (_e1286 * _e1276);
-                                                    let _e1308 = (_e1289 * _e1273);
-                                                    let _e1313 = (((_e1303 >= _e1304) && (_e1305 >= _e1306)) && (_e1307 >= _e1308));
-                                                    if (_e1313 || (((_e1303 <= _e1304) && (_e1305 <= _e1306)) && (_e1307 <= _e1308))) {
-                                                        let _e1320 = select(-1f, 1f, _e1313);
-                                                        let _e1322 = ((_e1303 - _e1304) * _e1320);
-                                                        let _e1324 = select(0f, _e1322, (_e1322 > 0f));
-                                                        let _e1326 = ((_e1305 - _e1306) * _e1320);
-                                                        let _e1328 = select(0f, _e1326, (_e1326 > 0f));
-                                                        let _e1330 = ((_e1307 - _e1308) * _e1320);
-                                                        let _e1332 = select(0f, _e1330, (_e1330 > 0f));
-                                                        let _e1334 = ((_e1324 + _e1328) + _e1332);
-                                                        if (_e1334 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e815 = phi_1451_;
+                                                    let _e824 = (_e815[0][2] - _e456);
+                                                    let _e827 = (((_e815[0][0] - _e323) * _e495) - (_e824 * _e363));
+                                                    let _e830 = (((_e815[0][1] - _e390) * _e495) - (_e824 * _e429));
+                                                    let _e837 = (_e815[1][2] - _e456);
+                                                    let _e840 = (((_e815[1][0] - _e323) * _e495) - (_e837 * _e363));
+                                                    let _e843 = (((_e815[1][1] - _e390) * _e495) - (_e837 * _e429));
+                                                    let _e850 = (_e815[2][2] - _e456);
+                                                    let _e853 = (((_e815[2][0] - _e323) * _e495) - (_e850 * _e363));
+                                                    let _e856 = (((_e815[2][1] - _e390) * _e495) - (_e850 * _e429));
+                                                    let _e857 = (_e853 * _e843);
+                                                    let _e858 = (_e856 * _e840);
+                                                    let _e859 = (_e827 * _e856);
+                                                    let _e860 = (_e830 * _e853);
+                                                    let _e861 = (_e840 * _e830);
+                                                    let _e862 = (_e843 * _e827);
+                                                    let _e867 = (((_e857 >= _e858) && (_e859 >= _e860)) && (_e861 >= _e862));
+                                                    if (_e867 || (((_e857 <= _e858) && (_e859 <= _e860)) && (_e861 <= _e862))) {
+                                                        let _e874 = select(-1f, 1f, _e867);
+                                                        let _e876 = ((_e857 - _e858) * _e874);
+                                                        let _e878 = select(0f, _e876, (_e876 > 0f));
+                                                        let _e880 = ((_e859 - _e860) * _e874);
+                                                        let _e882 = select(0f, _e880, (_e880 > 0f));
+                                                        let _e884 = ((_e861 - _e862) * _e874);
+                                                        let _e886 = select(0f, _e884, (_e884 > 0f));
+                                                        let _e888 = ((_e878 + _e882) + _e886);
+                                                        if (_e888 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2335_ = type_26();
                                                             phi_2336_ = true;
                                                             phi_2337_ = false;
                                                         } else {
-                                                            let _e1337 = select(_e1286, _e1273, (_e1273 < _e1286));
-                                                            if (select(_e1299, _e1337, (_e1337 < _e1299)) > 0f) {
+                                                            let _e891 = select(_e840, _e827, (_e827 < _e840));
+                                                            if (select(_e853, _e891, (_e891 < _e853)) > 0f) {
                                                                 phi_1603_ = true;
                                                             } else {
-                                                                let _e1342 = select(_e1286, _e1273, (_e1273 > _e1286));
-                                                                phi_1603_ = (select(_e1299, _e1342, (_e1342 > _e1299)) < 0f);
+                                                                let _e896 = select(_e840, _e827, (_e827 > _e840));
+                                                                phi_1603_ = (select(_e853, _e896, (_e896 > _e853)) < 0f);
                                                             }
-                                                            let _e1347 = phi_1603_;
-                                                            if _e1347 {
+                                                            let _e901 = phi_1603_;
+                                                            if _e901 {
                                                                 phi_2332_ = type_26();
                                                                 phi_2333_ = true;
                                                                 phi_2334_ = false;
                                                             } else {
-                                                                let _e1349 = select(_e1289, _e1276, (_e1276 < _e1289));
-                                                                if (select(_e1302, _e1349, (_e1349 < _e1302)) > 0f) {
+                                                                let _e903 = select(_e843, _e830, (_e830 < _e843));
+                                                                if (select(_e856, _e903, (_e903 < _e856)) > 0f) {
                                                                     phi_1632_ = true;
                                                                 } else {
-                                                                    let _e1354 = select(_e1289, _e1276, (_e1276 > _e1289));
-                                                                    phi_1632_ = (select(_e1302, _e1354, (_e1354 > _e1302)) < 0f);
+                                                                    let _e908 = select(_e843, _e830, (_e830 > _e843));
+                                                                    phi_1632_ = (select(_e856, _e908, (_e908 > _e856)) < 0f);
                                                                 }
-                                                                let _e1359 = phi_1632_;
-                                                                if _e1359 {
+                                                                let _e913 = phi_1632_;
+                                                                if _e913 {
                                                                     phi_2330_ = type_26();
                                                                     phi_2331_ = false;
                                                                 } else {
-                                                                    let _e1361 = select(_e1261[1][0], _e1261[0][0], (_e1261[0][0] < _e1261[1][0]));
-                                                                    let _e1365 = select(_e1261[1][0], _e1261[0][0], (_e1261[0][0] > _e1261[1][0]));
-                                                                    let _e1369 = select(_e1261[1][1], _e1261[0][1], (_e1261[0][1] < _e1261[1][1]));
-                                                                    let _e1373 = select(_e1261[1][1], _e1261[0][1], (_e1261[0][1] > _e1261[1][1]));
-                                                                    let _e1377 = select(_e1261[1][2], _e1261[0][2], (_e1261[0][2] < _e1261[1][2]));
-                                                                    let _e1381 = select(_e1261[1][2], _e1261[0][2], (_e1261[0][2] > _e1261[1][2]));
-                                                                    let _e1386 = ((select(_e1261[2][0], _e1361, (_e1361 < _e1261[2][0])) - _e361) * _e366);
-                                                                    let _e1387 = ((select(_e1261[2][0], _e1365, (_e1365 > _e1261[2][0])) - _e362) * _e366);
-                                                                    let _e1390 = ((select(_e1261[2][1], _e1369, (_e1369 < _e1261[2][1])) - _e427) * _e432);
-                                                                    let _e1391 = ((select(_e1261[2][1], _e1373, (_e1373 > _e1261[2][1])) - _e428) * _e432);
-                                                                    let _e1394 = ((select(_e1261[2][2], _e1377, (_e1377 < _e1261[2][2])) - _e493) * _e498);
-                                                                    let _e1395 = ((select(_e1261[2][2], _e1381, (_e1381 > _e1261[2][2])) - _e494) * _e498);
-                                                                    let _e1397 = select(_e1395, _e1394, (_e1394 < _e1395));
-                                                                    let _e1399 = select(_e1395, _e1394, (_e1394 > _e1395));
-                                                                    let _e1401 = select(_e1387, _e1386, (_e1386 < _e1387));
-                                                                    let _e1403 = select(_e1391, _e1390, (_e1390 < _e1391));
-                                                                    let _e1405 = select(_e1403, _e1401, (_e1401 > _e1403));
-                                                                    let _e1407 = select(_e1397, _e1405, (_e1405 > _e1397));
-                                                                    let _e1409 = select(_e1387, _e1386, (_e1386 > _e1387));
-                                                                    let _e1411 = select(_e1391, _e1390, (_e1390 > _e1391));
-                                                                    let _e1413 = select(_e1411, _e1409, (_e1409 < _e1411));
-                                                                    let _e1415 = select(_e1399, _e1413, (_e1413 < _e1399));
-                                                                    let _e1416 = -(_e1397);
-                                                                    let _e1422 = select(_e609, _e1407, (_e1407 > _e609));
-                                                                    if (_e1422 > (_e1415 + (select(_e1416, _e1399, (_e1399 > _e1416)) * 0.0000019073523f))) {
+                                                                    let _e915 = select(_e815[1][0], _e815[0][0], (_e815[0][0] < _e815[1][0]));
+                                                                    let _e919 = select(_e815[1][0], _e815[0][0], (_e815[0][0] > _e815[1][0]));
+                                                                    let _e923 = select(_e815[1][1], _e815[0][1], (_e815[0][1] < _e815[1][1]));
+                                                                    let _e927 = select(_e815[1][1], _e815[0][1], (_e815[0][1] > _e815[1][1]));
+                                                                    let _e931 = select(_e815[1][2], _e815[0][2], (_e815[0][2] < _e815[1][2]));
+                                                                    let _e935 = select(_e815[1][2], _e815[0][2], (_e815[0][2] > _e815[1][2]));
+                                                                    let _e940 = ((select(_e815[2][0], _e915, (_e915 < _e815[2][0])) - _e361) * _e366);
+                                                                    let _e941 = ((select(_e815[2][0], _e919, (_e919 > _e815[2][0])) - _e362) * _e366);
+                                                                    let _e944 = ((select(_e815[2][1], _e923, (_e923 < _e815[2][1])) - _e427) * _e432);
+                                                                    let _e945 = ((select(_e815[2][1], _e927, (_e927 > _e815[2][1])) - _e428) * _e432);
+                                                                    let _e948 = ((select(_e815[2][2], _e931, (_e931 < _e815[2][2])) - _e493) * _e498);
+                                                                    let _e949 = ((select(_e815[2][2], _e935, (_e935 > _e815[2][2])) - _e494) * _e498);
+                                                                    let _e951 = select(_e949, _e948, (_e948 < _e949));
+                                                                    let _e953 = select(_e949, _e948, (_e948 > _e949));
+                                                                    let _e955 = select(_e941, _e940, (_e940 < _e941));
+                                                                    let _e957 = select(_e945, _e944, (_e944 < _e945));
+                                                                    let _e959 = select(_e957, _e955, (_e955 > _e957));
+                                                                    let _e961 = select(_e951, _e959, (_e959 > _e951));
+                                                                    let _e963 = select(_e941, _e940, (_e940 > _e941));
+                                                                    let _e965 = select(_e945, _e944, (_e944 > _e945));
+                                                                    let _e967 = select(_e965, _e963, (_e963 < _e965));
+                                                                    let _e969 = select(_e953, _e967, (_e967 < _e953));
+                                                                    let _e970 = -(_e951);
+                                                                    let _e976 = select(_e609, _e961, (_e961 > _e609));
+                                                                    if (_e976 > (_e969 + (select(_e970, _e953, (_e953 > _e970)) * 0.0000019073523f))) {
                                                                         phi_2325_ = type_26();
                                                                         phi_2326_ = true;
                                                                     } else {
-                                                                        let _e1424 = (_e1422 > _e1159.member.member_1);
-                                                                        if _e1424 {
+                                                                        let _e978 = (_e976 > _e713.member.member_1);
+                                                                        if _e978 {
                                                                             phi_2324_ = type_26();
                                                                         } else {
-                                                                            let _e1425 = vec3<f32>(_e1261[0][0], _e1261[0][1], _e1261[0][2]);
-                                                                            let _e1426 = vec3<f32>(_e1261[1][0], _e1261[1][1], _e1261[1][2]);
-                                                                            let _e1427 = vec3<f32>(_e1261[2][0], _e1261[2][1], _e1261[2][2]);
-                                                                            let _e1428 = (_e1261[1][0] - _e1261[0][0]);
-                                                                            let _e1429 = (_e1261[1][1] - _e1261[0][1]);
-                                                                            let _e1430 = (_e1261[1][2] - _e1261[0][2]);
-                                                                            let _e1431 = vec3<f32>(_e1428, _e1429, _e1430);
-                                                                            let _e1432 = (_e1261[2][0] - _e1261[1][0]);
-                                                                            let _e1433 = (_e1261[2][1] - _e1261[1][1]);
-                                                                            let _e1434 = (_e1261[2][2] - _e1261[1][2]);
-                                                                            let _e1435 = vec3<f32>(_e1432, _e1433, _e1434);
-                                                                            let _e1436 = (_e1261[0][0] - _e1261[2][0]);
-                                                                            let _e1437 = (_e1261[0][1] - _e1261[2][1]);
-                                                                            let _e1438 = (_e1261[0][2] - _e1261[2][2]);
-                                                                            let _e1439 = vec3<f32>(_e1436, _e1437, _e1438);
-                                                                            let _e1442 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
-                                                                            let _e1445 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
-                                                                            let _e1447 = select(_e1445, _e1442, (_e1442 > _e1445));
-                                                                            let _e1450 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
-                                                                            let _e1452 = select(_e1450, _e1447, (_e1447 > _e1450));
-                                                                            let _e1455 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
-                                                                            let _e1458 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
-                                                                            let _e1460 = select(_e1458, _e1455, (_e1455 > _e1458));
-                                                                            let _e1463 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
-                                                                            let _e1465 = select(_e1463, _e1460, (_e1460 > _e1463));
-                                                                            let _e1468 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
-                                                                            let _e1471 = bitcast<f32>((bitcast<u32>(_e1437) & 2147483647u));
-                                                                            let _e1473 = select(_e1471, _e1468, (_e1468 > _e1471));
-                                                                            let _e1476 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
-                                                                            let _e1478 = select(_e1476, _e1473, (_e1473 > _e1476));
-                                                                            let _e1480 = select(_e1465, _e1452, (_e1452 > _e1465));
-                                                                            let _e1482 = select(_e1478, _e1480, (_e1480 > _e1478));
-                                                                            if (_e1452 == _e1482) {
-                                                                                phi_2051_ = _e1289;
-                                                                                phi_2052_ = _e1286;
-                                                                                phi_2053_ = _e1276;
-                                                                                phi_2054_ = _e1273;
-                                                                                phi_2055_ = _e1425;
-                                                                                phi_2056_ = _e1439;
-                                                                                phi_2057_ = _e1435;
-                                                                                phi_2058_ = _e1431;
+                                                                            let _e979 = vec3<f32>(_e815[0][0], _e815[0][1], _e815[0][2]);
+                                                                            let _e980 = vec3<f32>(_e815[1][0], _e815[1][1], _e815[1][2]);
+                                                                            let _e981 = vec3<f32>(_e815[2][0], _e815[2][1], _e815[2][2]);
+                                                                            let _e982 = (_e815[1][0] - _e815[0][0]);
+                                                                            let _e983 = (_e815[1][1] - _e815[0][1]);
+                                                                            let _e984 = (_e815[1][2] - _e815[0][2]);
+                                                                            let _e985 = vec3<f32>(_e982, _e983, _e984);
+                                                                            let _e986 = (_e815[2][0] - _e815[1][0]);
+                                                                            let _e987 = (_e815[2][1] - _e815[1][1]);
+                                                                            let _e988 = (_e815[2][2] - _e815[1][2]);
+                                                                            let _e989 = vec3<f32>(_e986, _e987, _e988);
+                                                                            let _e990 = (_e815[0][0] - _e815[2][0]);
+                                                                            let _e991 = (_e815[0][1] - _e815[2][1]);
+                                                                            let _e992 = (_e815[0][2] - _e815[2][2]);
+                                                                            let _e993 = vec3<f32>(_e990, _e991, _e992);
+                                                                            let _e996 = bitcast<f32>((bitcast<u32>(_e982) & 2147483647u));
+                                                                            let _e999 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
+                                                                            let _e1001 = select(_e999, _e996, (_e996 > _e999));
+                                                                            let _e1004 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
+                                                                            let _e1006 = select(_e1004, _e1001, (_e1001 > _e1004));
+                                                                            let _e1009 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
+                                                                            let _e1012 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
+                                                                            let _e1014 = select(_e1012, _e1009, (_e1009 > _e1012));
+                                                                            let _e1017 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
+                                                                            let _e1019 = select(_e1017, _e1014, (_e1014 > _e1017));
+                                                                            let _e1022 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
+                                                                            let _e1025 = bitcast<f32>((bitcast<u32>(_e991) & 2147483647u));
+                                                                            let _e1027 = select(_e1025, _e1022, (_e1022 > _e1025));
+                                                                            let _e1030 = bitcast<f32>((bitcast<u32>(_e992) & 2147483647u));
+                                                                            let _e1032 = select(_e1030, _e1027, (_e1027 > _e1030));
+                                                                            let _e1034 = select(_e1019, _e1006, (_e1006 > _e1019));
+                                                                            let _e1036 = select(_e1032, _e1034, (_e1034 > _e1032));
+                                                                            if (_e1006 == _e1036) {
+                                                                                phi_2051_ = _e843;
+                                                                                phi_2052_ = _e840;
+                                                                                phi_2053_ = _e830;
+                                                                                phi_2054_ = _e827;
+                                                                                phi_2055_ = _e979;
+                                                                                phi_2056_ = _e993;
+                                                                                phi_2057_ = _e989;
+                                                                                phi_2058_ = _e985;
                                                                             } else {
-                                                                                let _e1484 = (_e1465 == _e1482);
-                                                                                let _e1489 = vec3(_e1484);
-                                                                                phi_2051_ = select(_e1276, _e1302, _e1484);
-                                                                                phi_2052_ = select(_e1273, _e1299, _e1484);
-                                                                                phi_2053_ = select(_e1302, _e1289, _e1484);
-                                                                                phi_2054_ = select(_e1299, _e1286, _e1484);
-                                                                                phi_2055_ = select(_e1427, _e1426, _e1489);
-                                                                                phi_2056_ = select(_e1435, _e1431, _e1489);
-                                                                                phi_2057_ = select(_e1431, _e1439, _e1489);
-                                                                                phi_2058_ = select(_e1439, _e1435, _e1489);
+                                                                                let _e1038 = (_e1019 == _e1036);
+                                                                                let _e1043 = vec3(_e1038);
+                                                                                phi_2051_ = select(_e830, _e856, _e1038);
+                                                                                phi_2052_ = select(_e827, _e853, _e1038);
+                                                                                phi_2053_ = select(_e856, _e843, _e1038);
+                                                                                phi_2054_ = select(_e853, _e840, _e1038);
+                                                                                phi_2055_ = select(_e981, _e980, _e1043);
+                                                                                phi_2056_ = select(_e989, _e985, _e1043);
+                                                                                phi_2057_ = select(_e985, _e993, _e1043);
+                                                                                phi_2058_ = select(_e993, _e989, _e1043);
                                                                             }
-                                                                            let _e1495 = phi_2051_;
-                                                                            let _e1497 = phi_2052_;
-                                                                            let _e1499 = phi_2053_;
-                                                                            let _e1501 = phi_2054_;
-                                                                            let _e1503 = phi_2055_;
-                                                                            let _e1505 = phi_2056_;
-                                                                            let _e1507 = phi_2057_;
-                                                                            let _e1509 = phi_2058_;
-                                                                            let _e1516 = ((_e1507.y * _e1505.z) - (_e1505.y * _e1507.z));
-                                                                            let _e1521 = ((_e1507.z * _e1505.x) - (_e1505.z * _e1507.x));
-                                                                            let _e1524 = ((_e1507.x * _e1505.y) - (_e1505.x * _e1507.y));
-                                                                            if (_e1324 >= _e1328) {
-                                                                                phi_2095_ = select(true, false, (_e1324 >= _e1332));
+                                                                            let _e1049 = phi_2051_;
+                                                                            let _e1051 = phi_2052_;
+                                                                            let _e1053 = phi_2053_;
+                                                                            let _e1055 = phi_2054_;
+                                                                            let _e1057 = phi_2055_;
+                                                                            let _e1059 = phi_2056_;
+                                                                            let _e1061 = phi_2057_;
+                                                                            let _e1063 = phi_2058_;
+                                                                            let _e1070 = ((_e1061.y * _e1059.z) - (_e1059.y * _e1061.z));
+                                                                            let _e1075 = ((_e1061.z * _e1059.x) - (_e1059.z * _e1061.x));
+                                                                            let _e1078 = ((_e1061.x * _e1059.y) - (_e1059.x * _e1061.y));
+                                                                            if (_e878 >= _e882) {
+                                                                                phi_2095_ = select(true, false, (_e878 >= _e886));
                                                                             } else {
                                                                                 phi_2095_ = true;
                                                                             }
-                                                                            let _e1529 = phi_2095_;
-                                                                            if _e1529 {
-                                                                                phi_2104_ = select(_e1427, _e1426, vec3((_e1328 >= _e1332)));
+                                                                            let _e1083 = phi_2095_;
+                                                                            if _e1083 {
+                                                                                phi_2104_ = select(_e981, _e980, vec3((_e882 >= _e886)));
                                                                             } else {
-                                                                                phi_2104_ = _e1425;
+                                                                                phi_2104_ = _e979;
                                                                             }
-                                                                            let _e1534 = phi_2104_;
-                                                                            let _e1545 = (((_e1516 * (_e1534.x - _e323)) + (_e1521 * (_e1534.y - _e390))) + (_e1524 * (_e1534.z - _e456)));
-                                                                            let _e1550 = (((_e1516 * _e363) + (_e1521 * _e429)) + (_e1524 * _e495));
-                                                                            let _e1551 = (_e1497 - _e1501);
-                                                                            let _e1552 = (_e1495 - _e1499);
-                                                                            let _e1560 = (-(((_e1501 * _e1551) + (_e1499 * _e1552))) / ((_e1551 * _e1551) + (_e1552 * _e1552)));
-                                                                            let _e1562 = select(1f, _e1560, (_e1560 < 1f));
-                                                                            let _e1564 = select(0f, _e1562, (_e1562 > 0f));
-                                                                            let _e1577 = ((_e1503.x + (_e1509.x * _e1564)) - _e323);
-                                                                            let _e1578 = ((_e1503.y + (_e1509.y * _e1564)) - _e390);
-                                                                            let _e1579 = ((_e1503.z + (_e1509.z * _e1564)) - _e456);
-                                                                            let _e1580 = (_e1579 / _e495);
-                                                                            let _e1592 = bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u));
-                                                                            let _e1595 = bitcast<f32>((bitcast<u32>(_e1578) & 2147483647u));
-                                                                            let _e1597 = select(_e1595, _e1592, (_e1592 > _e1595));
-                                                                            let _e1600 = bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u));
-                                                                            let _e1602 = select(_e1600, _e1597, (_e1597 > _e1600));
-                                                                            let _e1608 = bitcast<f32>((bitcast<u32>(_e1516) & 2147483647u));
-                                                                            let _e1611 = bitcast<f32>((bitcast<u32>(_e1521) & 2147483647u));
-                                                                            let _e1613 = select(_e1611, _e1608, (_e1608 > _e1611));
-                                                                            let _e1616 = bitcast<f32>((bitcast<u32>(_e1524) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1516 * _e1577) + (_e1521 * _e1578)) + (_e1524 * _e1579)) - _e1545)) & 2147483647u)) <= ((0.0000009536743f * select(_e1482, _e1602, (_e1602 > _e1482))) * select(_e1616, _e1613, (_e1613 > _e1616)))) {
-                                                                                let _e1626 = bitcast<f32>((bitcast<u32>(_e1507.x) & 2147483647u));
-                                                                                let _e1629 = bitcast<f32>((bitcast<u32>(_e1507.y) & 2147483647u));
-                                                                                let _e1631 = select(_e1629, _e1626, (_e1626 > _e1629));
-                                                                                let _e1634 = bitcast<f32>((bitcast<u32>(_e1507.z) & 2147483647u));
-                                                                                let _e1640 = bitcast<f32>((bitcast<u32>(_e1505.x) & 2147483647u));
-                                                                                let _e1643 = bitcast<f32>((bitcast<u32>(_e1505.y) & 2147483647u));
-                                                                                let _e1645 = select(_e1643, _e1640, (_e1640 > _e1643));
-                                                                                let _e1648 = bitcast<f32>((bitcast<u32>(_e1505.z) & 2147483647u));
-                                                                                let _e1652 = (bitcast<f32>((bitcast<u32>(_e1550) & 2147483647u)) > ((0.0000038146973f * select(_e1634, _e1631, (_e1631 > _e1634))) * select(_e1648, _e1645, (_e1645 > _e1648))));
-                                                                                if _e1652 {
-                                                                                    phi_2269_ = (_e1545 / _e1550);
+                                                                            let _e1088 = phi_2104_;
+                                                                            let _e1099 = (((_e1070 * (_e1088.x - _e323)) + (_e1075 * (_e1088.y - _e390))) + (_e1078 * (_e1088.z - _e456)));
+                                                                            let _e1104 = (((_e1070 * _e363) + (_e1075 * _e429)) + (_e1078 * _e495));
+                                                                            let _e1105 = (_e1051 - _e1055);
+                                                                            let _e1106 = (_e1049 - _e1053);
+                                                                            let _e1114 = (-(((_e1055 * _e1105) + (_e1053 * _e1106))) / ((_e1105 * _e1105) + (_e1106 * _e1106)));
+                                                                            let _e1116 = select(1f, _e1114, (_e1114 < 1f));
+                                                                            let _e1118 = select(0f, _e1116, (_e1116 > 0f));
+                                                                            let _e1131 = ((_e1057.x + (_e1063.x * _e1118)) - _e323);
+                                                                            let _e1132 = ((_e1057.y + (_e1063.y * _e1118)) - _e390);
+                                                                            let _e1133 = ((_e1057.z + (_e1063.z * _e1118)) - _e456);
+                                                                            let _e1134 = (_e1133 / _e495);
+                                                                            let _e1146 = bitcast<f32>((bitcast<u32>(_e1131) & 2147483647u));
+                                                                            let _e1149 = bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u));
+                                                                            let _e1151 = select(_e1149, _e1146, (_e1146 > _e1149));
+                                                                            let _e1154 = bitcast<f32>((bitcast<u32>(_e1133) & 2147483647u));
+                                                                            let _e1156 = select(_e1154, _e1151, (_e1151 > _e1154));
+                                                                            let _e1162 = bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u));
+                                                                            let _e1165 = bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u));
+                                                                            let _e1167 = select(_e1165, _e1162, (_e1162 > _e1165));
+                                                                            let _e1170 = bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1070 * _e1131) + (_e1075 * _e1132)) + (_e1078 * _e1133)) - _e1099)) & 2147483647u)) <= ((0.0000009536743f * select(_e1036, _e1156, (_e1156 > _e1036))) * select(_e1170, _e1167, (_e1167 > _e1170)))) {
+                                                                                let _e1180 = bitcast<f32>((bitcast<u32>(_e1061.x) & 2147483647u));
+                                                                                let _e1183 = bitcast<f32>((bitcast<u32>(_e1061.y) & 2147483647u));
+                                                                                let _e1185 = select(_e1183, _e1180, (_e1180 > _e1183));
+                                                                                let _e1188 = bitcast<f32>((bitcast<u32>(_e1061.z) & 2147483647u));
+                                                                                let _e1194 = bitcast<f32>((bitcast<u32>(_e1059.x) & 2147483647u));
+                                                                                let _e1197 = bitcast<f32>((bitcast<u32>(_e1059.y) & 2147483647u));
+                                                                                let _e1199 = select(_e1197, _e1194, (_e1194 > _e1197));
+                                                                                let _e1202 = bitcast<f32>((bitcast<u32>(_e1059.z) & 2147483647u));
+                                                                                let _e1206 = (bitcast<f32>((bitcast<u32>(_e1104) & 2147483647u)) > ((0.0000038146973f * select(_e1188, _e1185, (_e1185 > _e1188))) * select(_e1202, _e1199, (_e1199 > _e1202))));
+                                                                                if _e1206 {
+                                                                                    phi_2269_ = (_e1099 / _e1104);
                                                                                 } else {
                                                                                     phi_2269_ = f32();
                                                                                 }
-                                                                                let _e1655 = phi_2269_;
-                                                                                phi_2271_ = _e1655;
-                                                                                phi_2272_ = select(true, false, _e1652);
+                                                                                let _e1209 = phi_2269_;
+                                                                                phi_2271_ = _e1209;
+                                                                                phi_2272_ = select(true, false, _e1206);
                                                                             } else {
                                                                                 phi_2271_ = f32();
                                                                                 phi_2272_ = true;
                                                                             }
-                                                                            let _e1658 = phi_2271_;
-                                                                            let _e1660 = phi_2272_;
-                                                                            if _e1660 {
-                                                                                let _e1668 = (((_e1516 * (_e1577 - (_e363 * _e1580))) + (_e1521 * (_e1578 - (_e429 * _e1580)))) / _e1550);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1668) & 2147483647u)) <= _e1482) {
-                                                                                    phi_2292_ = (_e1580 + _e1668);
+                                                                            let _e1212 = phi_2271_;
+                                                                            let _e1214 = phi_2272_;
+                                                                            if _e1214 {
+                                                                                let _e1222 = (((_e1070 * (_e1131 - (_e363 * _e1134))) + (_e1075 * (_e1132 - (_e429 * _e1134)))) / _e1104);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u)) <= _e1036) {
+                                                                                    phi_2292_ = (_e1134 + _e1222);
                                                                                 } else {
-                                                                                    phi_2292_ = _e1580;
+                                                                                    phi_2292_ = _e1134;
                                                                                 }
-                                                                                let _e1675 = phi_2292_;
-                                                                                phi_2293_ = _e1675;
+                                                                                let _e1229 = phi_2292_;
+                                                                                phi_2293_ = _e1229;
                                                                             } else {
-                                                                                phi_2293_ = _e1658;
+                                                                                phi_2293_ = _e1212;
                                                                             }
-                                                                            let _e1677 = phi_2293_;
-                                                                            let _e1679 = select(_e1415, _e1677, (_e1677 < _e1415));
-                                                                            let _e1681 = select(_e1407, _e1679, (_e1679 > _e1407));
-                                                                            if (_e1681 >= _e609) {
-                                                                                let _e1683 = (_e1681 <= _e1159.member.member_1);
-                                                                                if _e1683 {
-                                                                                    let _e1684 = (1f / _e1334);
-                                                                                    phi_2316_ = type_26(_e1681, (_e1328 * _e1684), (_e1332 * _e1684), _e1194);
+                                                                            let _e1231 = phi_2293_;
+                                                                            let _e1233 = select(_e969, _e1231, (_e1231 < _e969));
+                                                                            let _e1235 = select(_e961, _e1233, (_e1233 > _e961));
+                                                                            if (_e1235 >= _e609) {
+                                                                                let _e1237 = (_e1235 <= _e713.member.member_1);
+                                                                                if _e1237 {
+                                                                                    let _e1238 = (1f / _e888);
+                                                                                    phi_2316_ = type_26(_e1235, (_e882 * _e1238), (_e886 * _e1238), _e748);
                                                                                 } else {
                                                                                     phi_2316_ = type_26();
                                                                                 }
-                                                                                let _e1689 = phi_2316_;
-                                                                                phi_2318_ = _e1689;
-                                                                                phi_2319_ = select(true, false, _e1683);
+                                                                                let _e1243 = phi_2316_;
+                                                                                phi_2318_ = _e1243;
+                                                                                phi_2319_ = select(true, false, _e1237);
                                                                             } else {
                                                                                 phi_2318_ = type_26();
                                                                                 phi_2319_ = true;
                                                                             }
-                                                                            let _e1692 = phi_2318_;
-                                                                            let _e1694 = phi_2319_;
-                                                                            if _e1694 {
+                                                                            let _e1246 = phi_2318_;
+                                                                            let _e1248 = phi_2319_;
+                                                                            if _e1248 {
                                                                                 phi_2323_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2323_ = _e1692;
+                                                                                phi_2323_ = _e1246;
                                                                             }
-                                                                            let _e1696 = phi_2323_;
-                                                                            phi_2324_ = _e1696;
+                                                                            let _e1250 = phi_2323_;
+                                                                            phi_2324_ = _e1250;
                                                                         }
-                                                                        let _e1698 = phi_2324_;
-                                                                        phi_2325_ = _e1698;
-                                                                        phi_2326_ = _e1424;
+                                                                        let _e1252 = phi_2324_;
+                                                                        phi_2325_ = _e1252;
+                                                                        phi_2326_ = _e978;
                                                                     }
-                                                                    let _e1700 = phi_2325_;
-                                                                    let _e1702 = phi_2326_;
-                                                                    phi_2330_ = _e1700;
-                                                                    phi_2331_ = _e1702;
+                                                                    let _e1254 = phi_2325_;
+                                                                    let _e1256 = phi_2326_;
+                                                                    phi_2330_ = _e1254;
+                                                                    phi_2331_ = _e1256;
                                                                 }
-                                                                let _e1704 = phi_2330_;
-                                                                let _e1706 = phi_2331_;
-                                                                phi_2332_ = _e1704;
-                                                                phi_2333_ = _e1359;
-                                                                phi_2334_ = _e1706;
+                                                                let _e1258 = phi_2330_;
+                                                                let _e1260 = phi_2331_;
+                                                                phi_2332_ = _e1258;
+                                                                phi_2333_ = _e913;
+                                                                phi_2334_ = _e1260;
                                                             }
-                                                            let _e1708 = phi_2332_;
-                                                            let _e1710 = phi_2333_;
-                                                            let _e1712 = phi_2334_;
-                                                            phi_2335_ = _e1708;
-                                                            phi_2336_ = _e1710;
-                                                            phi_2337_ = _e1712;
+                                                            let _e1262 = phi_2332_;
+                                                            let _e1264 = phi_2333_;
+                                                            let _e1266 = phi_2334_;
+                                                            phi_2335_ = _e1262;
+                                                            phi_2336_ = _e1264;
+                                                            phi_2337_ = _e1266;
                                                         }
-                                                        let _e1714 = phi_2335_;
-                                                        let _e1716 = phi_2336_;
-                                                        let _e1718 = phi_2337_;
-                                                        phi_2345_ = _e1714;
-                                                        phi_2346_ = select(_e1718, true, _e1716);
+                                                        let _e1268 = phi_2335_;
+                                                        let _e1270 = phi_2336_;
+                                                        let _e1272 = phi_2337_;
+                                                        phi_2345_ = _e1268;
+                                                        phi_2346_ = select(_e1272, true, _e1270);
                                                     } else {
                                                         phi_2345_ = type_26();
                                                         phi_2346_ = true;
                                                     }
-                                                    let _e1721 = phi_2345_;
-                                                    let _e1723 = phi_2346_;
-                                                    if _e1723 {
+                                                    let _e1275 = phi_2345_;
+                                                    let _e1277 = phi_2346_;
+                                                    if _e1277 {
                                                         phi_2350_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2350_ = _e1721;
+                                                        phi_2350_ = _e1275;
                                                     }
-                                                    let _e1725 = phi_2350_;
-                                                    if (_e1725.member_3 != 4294967295u) {
-                                                        if (_e1194 != _e615) {
-                                                            if (_e1725.member < _e1159.member.member.member) {
+                                                    let _e1279 = phi_2350_;
+                                                    if (_e1279.member_3 != 4294967295u) {
+                                                        if (_e748 != _e615) {
+                                                            if (_e1279.member < _e713.member.member.member) {
                                                                 phi_2376_ = true;
                                                             } else {
-                                                                if (_e1725.member == _e1159.member.member.member) {
-                                                                    phi_2375_ = (_e1725.member_3 < _e1159.member.member.member_3);
+                                                                if (_e1279.member == _e713.member.member.member) {
+                                                                    phi_2375_ = (_e1279.member_3 < _e713.member.member.member_3);
                                                                 } else {
                                                                     phi_2375_ = false;
                                                                 }
-                                                                let _e1740 = phi_2375_;
-                                                                phi_2376_ = _e1740;
+                                                                let _e1294 = phi_2375_;
+                                                                phi_2376_ = _e1294;
                                                             }
-                                                            let _e1742 = phi_2376_;
-                                                            if _e1742 {
-                                                                phi_2383_ = type_46(type_43(_e1725, _e1725.member), _e1186.member_1, _e1186.member_2);
+                                                            let _e1296 = phi_2376_;
+                                                            if _e1296 {
+                                                                phi_2383_ = type_46(type_43(_e1279, _e1279.member), _e740.member_1, _e740.member_2);
                                                             } else {
-                                                                phi_2383_ = _e1186;
+                                                                phi_2383_ = _e740;
                                                             }
-                                                            let _e1749 = phi_2383_;
-                                                            phi_2384_ = _e1749;
+                                                            let _e1303 = phi_2383_;
+                                                            phi_2384_ = _e1303;
                                                         } else {
-                                                            phi_2384_ = _e1186;
+                                                            phi_2384_ = _e740;
                                                         }
-                                                        let _e1751 = phi_2384_;
-                                                        phi_2385_ = _e1751;
+                                                        let _e1305 = phi_2384_;
+                                                        phi_2385_ = _e1305;
                                                     } else {
-                                                        phi_2385_ = _e1186;
+                                                        phi_2385_ = _e740;
                                                     }
-                                                    let _e1753 = phi_2385_;
-                                                    phi_1310_ = _e1753;
+                                                    let _e1307 = phi_2385_;
+                                                    phi_1310_ = _e1307;
                                                 } else {
                                                     phi_1310_ = type_46();
                                                 }
-                                                let _e1755 = phi_1310_;
+                                                let _e1309 = phi_1310_;
                                                 continue;
                                                 continuing {
-                                                    phi_1309_ = _e1755;
-                                                    phi_1312_ = _e1174;
-                                                    phi_4108_ = _e656;
-                                                    break if !(_e1180);
+                                                    phi_1309_ = _e1309;
+                                                    phi_1312_ = _e728;
+                                                    phi_4114_ = _e656;
+                                                    break if !(_e734);
                                                 }
                                             }
-                                            let _e1758 = phi_4108_;
-                                            phi_4268_ = _e1758;
-                                            if _e1758 {
+                                            let _e1312 = phi_4114_;
+                                            phi_4274_ = _e1312;
+                                            if _e1312 {
                                                 break;
                                             }
-                                            phi_4272_ = _e1758;
-                                            let _e2093 = local_12;
-                                            phi_3625_ = _e2093;
-                                            phi_3626_ = false;
-                                            phi_3627_ = _e700;
-                                            phi_3628_ = _e702;
+                                            phi_4360_ = _e1312;
+                                            let _e2082 = local_12;
+                                            phi_2386_ = _e2082;
+                                        } else {
+                                            phi_4360_ = _e656;
+                                            phi_2386_ = _e658;
+                                        }
+                                        let _e1314 = phi_4360_;
+                                        let _e1316 = phi_2386_;
+                                        if _e706 {
+                                            phi_3620_ = type_46();
+                                            phi_3621_ = bool();
+                                            phi_3622_ = u32();
+                                            phi_3623_ = type_53();
                                         } else {
                                             if (_e702.member_1 >= _e96) {
-                                                phi_3156_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                                phi_3152_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
                                                 if (_e702.member_1 < _e96) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e714 = ((1u + _e276) % 4u);
-                                                if (_e714 < 4u) {
+                                                let _e1320 = ((1u + _e276) % 4u);
+                                                if (_e1320 < 4u) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e719 = global_4.member[_e702.member_1][_e714];
-                                                let _e721 = (_e719 >> bitcast<u32>(11u));
-                                                let _e723 = ((1u + _e275) % 4u);
-                                                if (_e723 < 4u) {
+                                                let _e1325 = global_4.member[_e702.member_1][_e1320];
+                                                let _e1327 = (_e1325 >> bitcast<u32>(11u));
+                                                let _e1329 = ((1u + _e275) % 4u);
+                                                if (_e1329 < 4u) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e728 = global_4.member[_e702.member_1][_e723];
-                                                let _e730 = (_e728 >> bitcast<u32>(11u));
-                                                let _e732 = ((1u + _e277) % 4u);
-                                                if (_e732 < 4u) {
+                                                let _e1334 = global_4.member[_e702.member_1][_e1329];
+                                                let _e1336 = (_e1334 >> bitcast<u32>(11u));
+                                                let _e1338 = ((1u + _e277) % 4u);
+                                                if (_e1338 < 4u) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e737 = global_4.member[_e702.member_1][_e732];
-                                                let _e739 = (_e737 >> bitcast<u32>(11u));
-                                                let _e762 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e763 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e764 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e766 = select(_e150, _e762, (_e762 > _e150));
-                                                let _e768 = select(_e150, _e763, (_e763 > _e150));
-                                                let _e770 = select(_e150, _e764, (_e764 > _e150));
-                                                let _e801 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e719 & 1023u))) - 8388608f) * _e766));
-                                                let _e806 = (bitcast<i32>((_e719 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e809 = bitcast<f32>((_e801 & bitcast<u32>(_e806)));
-                                                let _e810 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e728 & 1023u))) - 8388608f) * _e768));
-                                                let _e815 = (bitcast<i32>((_e728 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e818 = bitcast<f32>((_e810 & bitcast<u32>(_e815)));
-                                                let _e819 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e737 & 1023u))) - 8388608f) * _e770));
-                                                let _e824 = (bitcast<i32>((_e737 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e827 = bitcast<f32>((_e819 & bitcast<u32>(_e824)));
-                                                let _e831 = bitcast<f32>((_e801 & bitcast<u32>(~(_e806))));
-                                                let _e835 = bitcast<f32>((_e810 & bitcast<u32>(~(_e815))));
-                                                let _e839 = bitcast<f32>((_e819 & bitcast<u32>(~(_e824))));
-                                                let _e840 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e721 & 1023u))) - 8388608f) * _e766));
-                                                let _e845 = (bitcast<i32>((_e721 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e848 = bitcast<f32>((_e840 & bitcast<u32>(_e845)));
-                                                let _e849 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 1023u))) - 8388608f) * _e768));
-                                                let _e854 = (bitcast<i32>((_e730 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e857 = bitcast<f32>((_e849 & bitcast<u32>(_e854)));
-                                                let _e858 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e739 & 1023u))) - 8388608f) * _e770));
-                                                let _e863 = (bitcast<i32>((_e739 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e866 = bitcast<f32>((_e858 & bitcast<u32>(_e863)));
-                                                let _e870 = bitcast<f32>((_e840 & bitcast<u32>(~(_e845))));
-                                                let _e874 = bitcast<f32>((_e849 & bitcast<u32>(~(_e854))));
-                                                let _e878 = bitcast<f32>((_e858 & bitcast<u32>(~(_e863))));
-                                                let _e908 = global_4.member[_e702.member_1][0u];
-                                                let _e912 = global_4.member[_e702.member_1][1u];
-                                                let _e916 = global_4.member[_e702.member_1][2u];
-                                                let _e920 = global_4.member[_e702.member_1][3u];
-                                                let _e932 = (((_e912 >> bitcast<u32>(22i)) | ((_e916 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e920 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e933 = (_e908 & 268435455u);
-                                                let _e934 = (_e932 & 268435455u);
-                                                let _e937 = ((_e908 >> bitcast<u32>(28u)) & 7u);
-                                                let _e945 = ((_e908 >> bitcast<u32>(31i)) | (((_e932 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e946 = (_e937 != 0u);
-                                                if (_e937 == 0u) {
-                                                    phi_3118_ = _e933;
+                                                let _e1343 = global_4.member[_e702.member_1][_e1338];
+                                                let _e1345 = (_e1343 >> bitcast<u32>(11u));
+                                                let _e1368 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e1369 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e1370 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e1372 = select(_e150, _e1368, (_e1368 > _e150));
+                                                let _e1374 = select(_e150, _e1369, (_e1369 > _e150));
+                                                let _e1376 = select(_e150, _e1370, (_e1370 > _e150));
+                                                let _e1407 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1325 & 1023u))) - 8388608f) * _e1372));
+                                                let _e1412 = (bitcast<i32>((_e1325 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1415 = bitcast<f32>((_e1407 & bitcast<u32>(_e1412)));
+                                                let _e1416 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1334 & 1023u))) - 8388608f) * _e1374));
+                                                let _e1421 = (bitcast<i32>((_e1334 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1424 = bitcast<f32>((_e1416 & bitcast<u32>(_e1421)));
+                                                let _e1425 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1343 & 1023u))) - 8388608f) * _e1376));
+                                                let _e1430 = (bitcast<i32>((_e1343 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1433 = bitcast<f32>((_e1425 & bitcast<u32>(_e1430)));
+                                                let _e1437 = bitcast<f32>((_e1407 & bitcast<u32>(~(_e1412))));
+                                                let _e1441 = bitcast<f32>((_e1416 & bitcast<u32>(~(_e1421))));
+                                                let _e1445 = bitcast<f32>((_e1425 & bitcast<u32>(~(_e1430))));
+                                                let _e1446 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1327 & 1023u))) - 8388608f) * _e1372));
+                                                let _e1451 = (bitcast<i32>((_e1327 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1454 = bitcast<f32>((_e1446 & bitcast<u32>(_e1451)));
+                                                let _e1455 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1336 & 1023u))) - 8388608f) * _e1374));
+                                                let _e1460 = (bitcast<i32>((_e1336 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1463 = bitcast<f32>((_e1455 & bitcast<u32>(_e1460)));
+                                                let _e1464 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1345 & 1023u))) - 8388608f) * _e1376));
+                                                let _e1469 = (bitcast<i32>((_e1345 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1472 = bitcast<f32>((_e1464 & bitcast<u32>(_e1469)));
+                                                let _e1476 = bitcast<f32>((_e1446 & bitcast<u32>(~(_e1451))));
+                                                let _e1480 = bitcast<f32>((_e1455 & bitcast<u32>(~(_e1460))));
+                                                let _e1484 = bitcast<f32>((_e1464 & bitcast<u32>(~(_e1469))));
+                                                let _e1514 = global_4.member[_e702.member_1][0u];
+                                                let _e1518 = global_4.member[_e702.member_1][1u];
+                                                let _e1522 = global_4.member[_e702.member_1][2u];
+                                                let _e1526 = global_4.member[_e702.member_1][3u];
+                                                let _e1538 = (((_e1518 >> bitcast<u32>(22i)) | ((_e1522 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1526 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1539 = (_e1514 & 268435455u);
+                                                let _e1540 = (_e1538 & 268435455u);
+                                                let _e1543 = ((_e1514 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1551 = ((_e1514 >> bitcast<u32>(31i)) | (((_e1538 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1552 = (_e1543 != 0u);
+                                                if (_e1543 == 0u) {
+                                                    phi_3114_ = _e1539;
                                                 } else {
-                                                    if (_e937 == 7u) {
-                                                        phi_3117_ = 2147483648u;
+                                                    if (_e1543 == 7u) {
+                                                        phi_3113_ = 2147483648u;
                                                     } else {
-                                                        phi_3117_ = ((2147483648u | (_e937 << bitcast<u32>(28u))) | (_e934 & 268435455u));
+                                                        phi_3113_ = ((2147483648u | (_e1543 << bitcast<u32>(28u))) | (_e1540 & 268435455u));
                                                     }
-                                                    let _e955 = phi_3117_;
-                                                    phi_3118_ = _e955;
+                                                    let _e1561 = phi_3113_;
+                                                    phi_3114_ = _e1561;
                                                 }
-                                                let _e957 = phi_3118_;
-                                                if _e946 {
-                                                    let _e958 = (_e937 != 7u);
-                                                    if _e958 {
-                                                        phi_3128_ = (_e934 + _e937);
+                                                let _e1563 = phi_3114_;
+                                                if _e1552 {
+                                                    let _e1564 = (_e1543 != 7u);
+                                                    if _e1564 {
+                                                        phi_3124_ = (_e1540 + _e1543);
                                                     } else {
-                                                        phi_3128_ = u32();
+                                                        phi_3124_ = u32();
                                                     }
-                                                    let _e961 = phi_3128_;
-                                                    phi_3130_ = _e961;
-                                                    phi_3131_ = select(true, false, _e958);
+                                                    let _e1567 = phi_3124_;
+                                                    phi_3126_ = _e1567;
+                                                    phi_3127_ = select(true, false, _e1564);
                                                 } else {
-                                                    phi_3130_ = u32();
-                                                    phi_3131_ = true;
+                                                    phi_3126_ = u32();
+                                                    phi_3127_ = true;
                                                 }
-                                                let _e964 = phi_3130_;
-                                                let _e966 = phi_3131_;
-                                                if (_e945 == 0u) {
-                                                    phi_3152_ = (_e933 + select(0u, 1u, !(_e946)));
+                                                let _e1570 = phi_3126_;
+                                                let _e1572 = phi_3127_;
+                                                if (_e1551 == 0u) {
+                                                    phi_3148_ = (_e1539 + select(0u, 1u, !(_e1552)));
                                                 } else {
-                                                    if (_e945 == 7u) {
-                                                        phi_3151_ = 2147483648u;
+                                                    if (_e1551 == 7u) {
+                                                        phi_3147_ = 2147483648u;
                                                     } else {
-                                                        phi_3151_ = ((2147483648u | (_e945 << bitcast<u32>(28u))) | (select(_e964, _e934, _e966) & 268435455u));
+                                                        phi_3147_ = ((2147483648u | (_e1551 << bitcast<u32>(28u))) | (select(_e1570, _e1540, _e1572) & 268435455u));
                                                     }
-                                                    let _e979 = phi_3151_;
-                                                    phi_3152_ = _e979;
+                                                    let _e1585 = phi_3147_;
+                                                    phi_3148_ = _e1585;
                                                 }
-                                                let _e981 = phi_3152_;
-                                                phi_3156_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e702.member.member.x + _e809), (_e702.member.member.x + _e831), (_e702.member.member_1.x - _e848), (_e702.member.member_1.x - _e870)), vec4<f32>((_e702.member.member.y + _e818), (_e702.member.member.y + _e835), (_e702.member.member_1.y - _e857), (_e702.member.member_1.y - _e874)), vec4<f32>((_e702.member.member.z + _e827), (_e702.member.member.z + _e839), (_e702.member.member_1.z - _e866), (_e702.member.member_1.z - _e878))), type_53(type_38((_e702.member.member + vec4<f32>(_e809, _e818, _e827, 0f)), (_e702.member.member_1 - vec4<f32>(_e848, _e857, _e866, 0f))), _e957), type_53(type_38((_e702.member.member + vec4<f32>(_e831, _e835, _e839, 0f)), (_e702.member.member_1 - vec4<f32>(_e870, _e874, _e878, 0f))), _e981));
+                                                let _e1587 = phi_3148_;
+                                                phi_3152_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e702.member.member.x + _e1415), (_e702.member.member.x + _e1437), (_e702.member.member_1.x - _e1454), (_e702.member.member_1.x - _e1476)), vec4<f32>((_e702.member.member.y + _e1424), (_e702.member.member.y + _e1441), (_e702.member.member_1.y - _e1463), (_e702.member.member_1.y - _e1480)), vec4<f32>((_e702.member.member.z + _e1433), (_e702.member.member.z + _e1445), (_e702.member.member_1.z - _e1472), (_e702.member.member_1.z - _e1484))), type_53(type_38((_e702.member.member + vec4<f32>(_e1415, _e1424, _e1433, 0f)), (_e702.member.member_1 - vec4<f32>(_e1454, _e1463, _e1472, 0f))), _e1563), type_53(type_38((_e702.member.member + vec4<f32>(_e1437, _e1441, _e1445, 0f)), (_e702.member.member_1 - vec4<f32>(_e1476, _e1480, _e1484, 0f))), _e1587));
                                             }
-                                            let _e986 = phi_3156_;
-                                            let _e1005 = ((_e986.member[0].x - _e361) * _e366);
-                                            let _e1006 = ((_e986.member[0].y - _e361) * _e366);
-                                            let _e1007 = ((_e986.member[0].z - _e362) * _e366);
-                                            let _e1008 = ((_e986.member[0].w - _e362) * _e366);
-                                            let _e1018 = ((_e986.member[1].x - _e427) * _e432);
-                                            let _e1019 = ((_e986.member[1].y - _e427) * _e432);
-                                            let _e1020 = ((_e986.member[1].z - _e428) * _e432);
-                                            let _e1021 = ((_e986.member[1].w - _e428) * _e432);
-                                            let _e1031 = ((_e986.member[2].x - _e493) * _e498);
-                                            let _e1032 = ((_e986.member[2].y - _e493) * _e498);
-                                            let _e1033 = ((_e986.member[2].z - _e494) * _e498);
-                                            let _e1034 = ((_e986.member[2].w - _e494) * _e498);
-                                            let _e1036 = select(_e1033, _e1031, (_e1031 < _e1033));
-                                            let _e1038 = select(_e1034, _e1032, (_e1032 < _e1034));
-                                            let _e1040 = select(_e1033, _e1031, (_e1031 > _e1033));
-                                            let _e1042 = select(_e1034, _e1032, (_e1032 > _e1034));
-                                            let _e1044 = select(_e1007, _e1005, (_e1005 < _e1007));
-                                            let _e1046 = select(_e1008, _e1006, (_e1006 < _e1008));
-                                            let _e1048 = select(_e1020, _e1018, (_e1018 < _e1020));
-                                            let _e1050 = select(_e1021, _e1019, (_e1019 < _e1021));
-                                            let _e1052 = select(_e1048, _e1044, (_e1044 > _e1048));
-                                            let _e1054 = select(_e1050, _e1046, (_e1046 > _e1050));
-                                            let _e1056 = select(_e1036, _e1052, (_e1052 > _e1036));
-                                            let _e1058 = select(_e1038, _e1054, (_e1054 > _e1038));
-                                            let _e1060 = select(_e1007, _e1005, (_e1005 > _e1007));
-                                            let _e1062 = select(_e1008, _e1006, (_e1006 > _e1008));
-                                            let _e1064 = select(_e1020, _e1018, (_e1018 > _e1020));
-                                            let _e1066 = select(_e1021, _e1019, (_e1019 > _e1021));
-                                            let _e1068 = select(_e1064, _e1060, (_e1060 < _e1064));
-                                            let _e1070 = select(_e1066, _e1062, (_e1062 < _e1066));
-                                            let _e1075 = -(_e1036);
-                                            let _e1076 = -(_e1038);
-                                            let _e1083 = (select(_e1040, _e1068, (_e1068 < _e1040)) + (select(_e1075, _e1040, (_e1040 > _e1075)) * 0.0000019073523f));
-                                            let _e1084 = (select(_e1042, _e1070, (_e1070 < _e1042)) + (select(_e1076, _e1042, (_e1042 > _e1076)) * 0.0000019073523f));
-                                            let _e1086 = select(_e609, _e1056, (_e1056 > _e609));
-                                            let _e1088 = select(_e609, _e1058, (_e1058 > _e609));
-                                            let _e1093 = (_e1086 <= select(_e658.member.member_1, _e1083, (_e1083 < _e658.member.member_1)));
-                                            let _e1094 = (_e1088 <= select(_e658.member.member_1, _e1084, (_e1084 < _e658.member.member_1)));
-                                            let _e1095 = (_e1086 <= _e1088);
-                                            if _e1093 {
-                                                if _e1094 {
-                                                    if _e1095 {
-                                                        phi_3521_ = _e986.member_2;
+                                            let _e1592 = phi_3152_;
+                                            let _e1611 = ((_e1592.member[0].x - _e361) * _e366);
+                                            let _e1612 = ((_e1592.member[0].y - _e361) * _e366);
+                                            let _e1613 = ((_e1592.member[0].z - _e362) * _e366);
+                                            let _e1614 = ((_e1592.member[0].w - _e362) * _e366);
+                                            let _e1624 = ((_e1592.member[1].x - _e427) * _e432);
+                                            let _e1625 = ((_e1592.member[1].y - _e427) * _e432);
+                                            let _e1626 = ((_e1592.member[1].z - _e428) * _e432);
+                                            let _e1627 = ((_e1592.member[1].w - _e428) * _e432);
+                                            let _e1637 = ((_e1592.member[2].x - _e493) * _e498);
+                                            let _e1638 = ((_e1592.member[2].y - _e493) * _e498);
+                                            let _e1639 = ((_e1592.member[2].z - _e494) * _e498);
+                                            let _e1640 = ((_e1592.member[2].w - _e494) * _e498);
+                                            let _e1642 = select(_e1639, _e1637, (_e1637 < _e1639));
+                                            let _e1644 = select(_e1640, _e1638, (_e1638 < _e1640));
+                                            let _e1646 = select(_e1639, _e1637, (_e1637 > _e1639));
+                                            let _e1648 = select(_e1640, _e1638, (_e1638 > _e1640));
+                                            let _e1650 = select(_e1613, _e1611, (_e1611 < _e1613));
+                                            let _e1652 = select(_e1614, _e1612, (_e1612 < _e1614));
+                                            let _e1654 = select(_e1626, _e1624, (_e1624 < _e1626));
+                                            let _e1656 = select(_e1627, _e1625, (_e1625 < _e1627));
+                                            let _e1658 = select(_e1654, _e1650, (_e1650 > _e1654));
+                                            let _e1660 = select(_e1656, _e1652, (_e1652 > _e1656));
+                                            let _e1662 = select(_e1642, _e1658, (_e1658 > _e1642));
+                                            let _e1664 = select(_e1644, _e1660, (_e1660 > _e1644));
+                                            let _e1666 = select(_e1613, _e1611, (_e1611 > _e1613));
+                                            let _e1668 = select(_e1614, _e1612, (_e1612 > _e1614));
+                                            let _e1670 = select(_e1626, _e1624, (_e1624 > _e1626));
+                                            let _e1672 = select(_e1627, _e1625, (_e1625 > _e1627));
+                                            let _e1674 = select(_e1670, _e1666, (_e1666 < _e1670));
+                                            let _e1676 = select(_e1672, _e1668, (_e1668 < _e1672));
+                                            let _e1681 = -(_e1642);
+                                            let _e1682 = -(_e1644);
+                                            let _e1689 = (select(_e1646, _e1674, (_e1674 < _e1646)) + (select(_e1681, _e1646, (_e1646 > _e1681)) * 0.0000019073523f));
+                                            let _e1690 = (select(_e1648, _e1676, (_e1676 < _e1648)) + (select(_e1682, _e1648, (_e1648 > _e1682)) * 0.0000019073523f));
+                                            let _e1692 = select(_e609, _e1662, (_e1662 > _e609));
+                                            let _e1694 = select(_e609, _e1664, (_e1664 > _e609));
+                                            let _e1699 = (_e1692 <= select(_e1316.member.member_1, _e1689, (_e1689 < _e1316.member.member_1)));
+                                            let _e1700 = (_e1694 <= select(_e1316.member.member_1, _e1690, (_e1690 < _e1316.member.member_1)));
+                                            let _e1701 = (_e1692 <= _e1694);
+                                            if _e1699 {
+                                                if _e1700 {
+                                                    if _e1701 {
+                                                        phi_3517_ = _e1592.member_2;
                                                     } else {
-                                                        phi_3521_ = _e986.member_1;
+                                                        phi_3517_ = _e1592.member_1;
                                                     }
-                                                    let _e1099 = phi_3521_;
-                                                    let _e1121 = (_e700 % 128u);
-                                                    let _e1122 = (_e1121 < 128u);
-                                                    if _e1122 {
+                                                    let _e1705 = phi_3517_;
+                                                    let _e1726 = (_e700 % 128u);
+                                                    let _e1727 = (_e1726 < 128u);
+                                                    if _e1727 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1121] = _e1099.member_1;
-                                                    if _e1122 {
+                                                    local_8[_e1726] = _e1705.member_1;
+                                                    if _e1727 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1121] = _e1099.member.member.x;
-                                                    if _e1122 {
+                                                    local_7[_e1726] = _e1705.member.member.x;
+                                                    if _e1727 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1121] = _e1099.member.member.y;
-                                                    if _e1122 {
+                                                    local_6[_e1726] = _e1705.member.member.y;
+                                                    if _e1727 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1121] = _e1099.member.member.z;
-                                                    if _e1122 {
+                                                    local_5[_e1726] = _e1705.member.member.z;
+                                                    if _e1727 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1121] = _e1099.member.member_1.x;
-                                                    if _e1122 {
+                                                    local_4[_e1726] = _e1705.member.member_1.x;
+                                                    if _e1727 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1121] = _e1099.member.member_1.y;
-                                                    if _e1122 {
+                                                    local_3[_e1726] = _e1705.member.member_1.y;
+                                                    if _e1727 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1121] = _e1099.member.member_1.z;
-                                                    if _e1122 {
+                                                    local_2[_e1726] = _e1705.member.member_1.z;
+                                                    if _e1727 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1121] = select(_e1088, _e1086, !(_e1095));
-                                                    if _e1095 {
-                                                        phi_3598_ = _e986.member_1;
+                                                    local_9[_e1726] = select(_e1692, _e1694, _e1701);
+                                                    if _e1701 {
+                                                        phi_3593_ = _e1592.member_1;
                                                     } else {
-                                                        phi_3598_ = _e986.member_2;
+                                                        phi_3593_ = _e1592.member_2;
                                                     }
-                                                    let _e1135 = phi_3598_;
-                                                    phi_3599_ = (_e700 + 1u);
-                                                    phi_3600_ = _e1135;
+                                                    let _e1740 = phi_3593_;
+                                                    phi_3594_ = (_e700 + 1u);
+                                                    phi_3595_ = _e1740;
                                                 } else {
-                                                    phi_3599_ = u32();
-                                                    phi_3600_ = type_53();
+                                                    phi_3594_ = u32();
+                                                    phi_3595_ = type_53();
                                                 }
-                                                let _e1137 = phi_3599_;
-                                                let _e1139 = phi_3600_;
-                                                phi_3602_ = _e1137;
-                                                phi_3603_ = _e1139;
-                                                phi_3604_ = select(true, false, _e1094);
+                                                let _e1742 = phi_3594_;
+                                                let _e1744 = phi_3595_;
+                                                phi_3597_ = _e1742;
+                                                phi_3598_ = _e1744;
+                                                phi_3599_ = select(true, false, _e1700);
                                             } else {
-                                                phi_3602_ = u32();
-                                                phi_3603_ = type_53();
-                                                phi_3604_ = true;
+                                                phi_3597_ = u32();
+                                                phi_3598_ = type_53();
+                                                phi_3599_ = true;
                                             }
-                                            let _e1142 = phi_3602_;
-                                            let _e1144 = phi_3603_;
-                                            let _e1146 = phi_3604_;
-                                            if _e1146 {
-                                                if _e1093 {
-                                                    phi_3613_ = _e986.member_1;
+                                            let _e1747 = phi_3597_;
+                                            let _e1749 = phi_3598_;
+                                            let _e1751 = phi_3599_;
+                                            if _e1751 {
+                                                if _e1699 {
+                                                    phi_3608_ = _e1592.member_1;
                                                 } else {
-                                                    phi_3613_ = _e986.member_2;
+                                                    phi_3608_ = _e1592.member_2;
                                                 }
-                                                let _e1150 = phi_3613_;
-                                                phi_3618_ = select(_e1094, true, _e1093);
-                                                phi_3620_ = _e1150;
+                                                let _e1755 = phi_3608_;
+                                                phi_3613_ = select(_e1700, true, _e1699);
+                                                phi_3615_ = _e1755;
                                             } else {
-                                                phi_3618_ = _e698;
-                                                phi_3620_ = _e1144;
+                                                phi_3613_ = _e698;
+                                                phi_3615_ = _e1749;
                                             }
-                                            let _e1153 = phi_3618_;
-                                            let _e1155 = phi_3620_;
-                                            phi_4272_ = _e656;
-                                            phi_3625_ = type_46(_e658.member, (_e658.member_1 + 1u), _e658.member_2);
-                                            phi_3626_ = _e1153;
-                                            phi_3627_ = select(_e1142, _e700, _e1146);
-                                            phi_3628_ = _e1155;
+                                            let _e1758 = phi_3613_;
+                                            let _e1760 = phi_3615_;
+                                            phi_3620_ = type_46(_e1316.member, (_e1316.member_1 + 1u), _e1316.member_2);
+                                            phi_3621_ = _e1758;
+                                            phi_3622_ = select(_e1747, _e700, _e1751);
+                                            phi_3623_ = _e1760;
                                         }
-                                        let _e1760 = phi_4272_;
-                                        let _e1762 = phi_3625_;
-                                        let _e1764 = phi_3626_;
-                                        let _e1766 = phi_3627_;
-                                        let _e1768 = phi_3628_;
-                                        phi_4271_ = _e1760;
-                                        phi_3629_ = _e1762;
-                                        phi_3630_ = _e1764;
-                                        phi_3631_ = (_e662 - 1u);
-                                        phi_3632_ = _e1766;
-                                        phi_3633_ = _e1768;
+                                        let _e1763 = phi_3620_;
+                                        let _e1765 = phi_3621_;
+                                        let _e1767 = phi_3622_;
+                                        let _e1769 = phi_3623_;
+                                        if _e706 {
+                                            phi_3631_ = _e1316;
+                                            phi_3634_ = _e702;
+                                        } else {
+                                            phi_3631_ = _e1763;
+                                            phi_3634_ = _e1769;
+                                        }
+                                        let _e1771 = phi_3631_;
+                                        let _e1773 = phi_3634_;
+                                        phi_4277_ = _e1314;
+                                        phi_3635_ = _e1771;
+                                        phi_3636_ = (_e660 - 1u);
+                                        phi_3637_ = select(_e1765, false, _e706);
+                                        phi_3638_ = select(_e1767, _e700, _e706);
+                                        phi_3639_ = _e1773;
                                     } else {
-                                        phi_4271_ = _e656;
-                                        phi_3629_ = _e658;
-                                        phi_3630_ = _e698;
-                                        phi_3631_ = _e662;
-                                        phi_3632_ = _e700;
-                                        phi_3633_ = _e702;
+                                        phi_4277_ = _e656;
+                                        phi_3635_ = _e658;
+                                        phi_3636_ = _e660;
+                                        phi_3637_ = _e698;
+                                        phi_3638_ = _e700;
+                                        phi_3639_ = _e702;
                                     }
-                                    let _e1770 = phi_4271_;
-                                    let _e1772 = phi_3629_;
-                                    let _e1774 = phi_3630_;
-                                    let _e1776 = phi_3631_;
-                                    let _e1778 = phi_3632_;
-                                    let _e1780 = phi_3633_;
-                                    phi_4270_ = _e1770;
-                                    phi_3634_ = _e1772;
-                                    phi_3635_ = _e1774;
-                                    phi_3636_ = _e1776;
-                                    phi_3637_ = _e1778;
-                                    phi_3638_ = _e1780;
+                                    let _e1777 = phi_4277_;
+                                    let _e1779 = phi_3635_;
+                                    let _e1781 = phi_3636_;
+                                    let _e1783 = phi_3637_;
+                                    let _e1785 = phi_3638_;
+                                    let _e1787 = phi_3639_;
+                                    phi_4276_ = _e1777;
+                                    phi_3640_ = _e1779;
+                                    phi_3641_ = _e1781;
+                                    phi_3642_ = _e1783;
+                                    phi_3643_ = _e1785;
+                                    phi_3644_ = _e1787;
                                 } else {
-                                    phi_4270_ = _e656;
-                                    phi_3634_ = type_46();
-                                    phi_3635_ = bool();
-                                    phi_3636_ = u32();
-                                    phi_3637_ = u32();
-                                    phi_3638_ = type_53();
+                                    phi_4276_ = _e656;
+                                    phi_3640_ = type_46();
+                                    phi_3641_ = u32();
+                                    phi_3642_ = bool();
+                                    phi_3643_ = u32();
+                                    phi_3644_ = type_53();
                                 }
-                                let _e1782 = phi_4270_;
-                                let _e1784 = phi_3634_;
-                                let _e1786 = phi_3635_;
-                                let _e1788 = phi_3636_;
-                                let _e1790 = phi_3637_;
-                                let _e1792 = phi_3638_;
-                                phi_4269_ = _e1782;
-                                phi_1184_ = _e1784;
-                                phi_1187_ = _e1786;
-                                phi_1189_ = _e1788;
-                                phi_1191_ = _e1790;
-                                phi_1193_ = _e1792;
-                                phi_3639_ = _e670;
+                                let _e1789 = phi_4276_;
+                                let _e1791 = phi_3640_;
+                                let _e1793 = phi_3641_;
+                                let _e1795 = phi_3642_;
+                                let _e1797 = phi_3643_;
+                                let _e1799 = phi_3644_;
+                                phi_4275_ = _e1789;
+                                phi_1184_ = _e1791;
+                                phi_1187_ = _e1793;
+                                phi_1189_ = _e1795;
+                                phi_1191_ = _e1797;
+                                phi_1193_ = _e1799;
+                                phi_3645_ = _e670;
                             } else {
-                                phi_4269_ = _e656;
+                                phi_4275_ = _e656;
                                 phi_1184_ = type_46();
-                                phi_1187_ = bool();
-                                phi_1189_ = u32();
+                                phi_1187_ = u32();
+                                phi_1189_ = bool();
                                 phi_1191_ = u32();
                                 phi_1193_ = type_53();
-                                phi_3639_ = false;
+                                phi_3645_ = false;
                             }
-                            let _e1794 = phi_4269_;
-                            let _e1796 = phi_1184_;
-                            let _e1798 = phi_1187_;
-                            let _e1800 = phi_1189_;
-                            let _e1802 = phi_1191_;
-                            let _e1804 = phi_1193_;
-                            let _e1806 = phi_3639_;
+                            let _e1801 = phi_4275_;
+                            let _e1803 = phi_1184_;
+                            let _e1805 = phi_1187_;
+                            let _e1807 = phi_1189_;
+                            let _e1809 = phi_1191_;
+                            let _e1811 = phi_1193_;
+                            let _e1813 = phi_3645_;
                             continue;
                             continuing {
-                                phi_4114_ = _e1794;
-                                phi_1183_ = _e1796;
-                                phi_1186_ = _e1798;
-                                phi_1188_ = _e1800;
-                                phi_1190_ = _e1802;
-                                phi_1192_ = _e1804;
-                                phi_4268_ = _e1794;
-                                break if !(_e1806);
+                                phi_4120_ = _e1801;
+                                phi_1183_ = _e1803;
+                                phi_1186_ = _e1805;
+                                phi_1188_ = _e1807;
+                                phi_1190_ = _e1809;
+                                phi_1192_ = _e1811;
+                                phi_4274_ = _e1801;
+                                break if !(_e1813);
                             }
                         }
-                        let _e1809 = phi_4268_;
-                        if _e1809 {
+                        let _e1816 = phi_4274_;
+                        if _e1816 {
                             break;
                         }
-                        let _e1811 = local_10;
-                        if (_e1811.member.member.member_3 != 4294967295u) {
-                            let _e1817 = bitcast<u32>(_e1811.member.member.member);
-                            let _e1821 = (bitcast<i32>((_e1817 >> bitcast<u32>(23i))) & 255i);
-                            let _e1822 = (_e1821 + _e278);
-                            if (_e1821 == 255i) {
-                                phi_3698_ = _e1811.member.member.member;
+                        let _e1818 = local_10;
+                        if (_e1818.member.member.member_3 != 4294967295u) {
+                            let _e1824 = bitcast<u32>(_e1818.member.member.member);
+                            let _e1828 = (bitcast<i32>((_e1824 >> bitcast<u32>(23i))) & 255i);
+                            let _e1829 = (_e1828 + _e278);
+                            if (_e1828 == 255i) {
+                                phi_3704_ = _e1818.member.member.member;
                             } else {
-                                if (_e1821 > 0i) {
-                                    if (_e1822 > 0i) {
-                                        let _e1826 = (_e1822 < 255i);
-                                        if _e1826 {
-                                            phi_3677_ = bitcast<f32>((_e1817 + bitcast<u32>((_e278 << bitcast<u32>(23i)))));
+                                if (_e1828 > 0i) {
+                                    if (_e1829 > 0i) {
+                                        let _e1833 = (_e1829 < 255i);
+                                        if _e1833 {
+                                            phi_3683_ = bitcast<f32>((_e1824 + bitcast<u32>((_e278 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_3677_ = f32();
+                                            phi_3683_ = f32();
                                         }
-                                        let _e1833 = phi_3677_;
-                                        phi_3679_ = _e1833;
-                                        phi_3680_ = select(true, false, _e1826);
+                                        let _e1840 = phi_3683_;
+                                        phi_3685_ = _e1840;
+                                        phi_3686_ = select(true, false, _e1833);
                                     } else {
-                                        phi_3679_ = f32();
-                                        phi_3680_ = true;
+                                        phi_3685_ = f32();
+                                        phi_3686_ = true;
                                     }
-                                    let _e1836 = phi_3679_;
-                                    let _e1838 = phi_3680_;
-                                    phi_3681_ = _e1836;
-                                    phi_3682_ = _e1838;
+                                    let _e1843 = phi_3685_;
+                                    let _e1845 = phi_3686_;
+                                    phi_3687_ = _e1843;
+                                    phi_3688_ = _e1845;
                                 } else {
-                                    phi_3681_ = f32();
-                                    phi_3682_ = true;
+                                    phi_3687_ = f32();
+                                    phi_3688_ = true;
                                 }
-                                let _e1840 = phi_3681_;
-                                let _e1842 = phi_3682_;
-                                if _e1842 {
-                                    let _e1843 = (_e1817 & 2147483648u);
-                                    let _e1850 = ((_e1817 & 8388607u) | (select(0u, 1u, ((_e1817 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e1854 = (_e1850 == 0u);
-                                    if _e1854 {
-                                        phi_4066_ = bitcast<f32>(_e1843);
+                                let _e1847 = phi_3687_;
+                                let _e1849 = phi_3688_;
+                                if _e1849 {
+                                    let _e1850 = (_e1824 & 2147483648u);
+                                    let _e1857 = ((_e1824 & 8388607u) | (select(0u, 1u, ((_e1824 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1861 = (_e1857 == 0u);
+                                    if _e1861 {
+                                        phi_4072_ = bitcast<f32>(_e1850);
                                     } else {
-                                        let _e1859 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1850)), 32u, _e1854) - 8u);
-                                        let _e1862 = (_e1850 << bitcast<u32>((_e1859 & 31u)));
-                                        let _e1864 = ((_e1822 + select(0i, 1i, (_e1821 == 0i))) - bitcast<i32>(_e1859));
-                                        if (_e1864 >= 255i) {
-                                            phi_4056_ = bitcast<f32>((_e1843 | 2139095040u));
-                                            phi_4057_ = f32();
-                                            phi_4058_ = true;
+                                        let _e1866 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1857)), 32u, _e1861) - 8u);
+                                        let _e1869 = (_e1857 << bitcast<u32>((_e1866 & 31u)));
+                                        let _e1871 = ((_e1829 + select(0i, 1i, (_e1828 == 0i))) - bitcast<i32>(_e1866));
+                                        if (_e1871 >= 255i) {
+                                            phi_4062_ = bitcast<f32>((_e1850 | 2139095040u));
+                                            phi_4063_ = f32();
+                                            phi_4064_ = true;
                                         } else {
-                                            let _e1866 = (_e1864 > 0i);
-                                            if _e1866 {
-                                                phi_4050_ = bitcast<f32>(((_e1843 | (bitcast<u32>(_e1864) << bitcast<u32>(23i))) | (_e1862 & 8388607u)));
-                                                phi_4051_ = f32();
+                                            let _e1873 = (_e1871 > 0i);
+                                            if _e1873 {
+                                                phi_4056_ = bitcast<f32>(((_e1850 | (bitcast<u32>(_e1871) << bitcast<u32>(23i))) | (_e1869 & 8388607u)));
+                                                phi_4057_ = f32();
                                             } else {
-                                                if (_e1864 < -24i) {
-                                                    phi_4016_ = 26u;
+                                                if (_e1871 < -24i) {
+                                                    phi_4022_ = 26u;
                                                 } else {
-                                                    phi_4016_ = bitcast<u32>((1i - _e1864));
+                                                    phi_4022_ = bitcast<u32>((1i - _e1871));
                                                 }
-                                                let _e1871 = phi_4016_;
-                                                let _e1872 = (_e1871 & 31u);
-                                                let _e1874 = (_e1862 >> bitcast<u32>(_e1872));
-                                                let _e1878 = (_e1862 & ((1u << bitcast<u32>(_e1872)) - 1u));
-                                                let _e1882 = (1u << bitcast<u32>(((_e1871 - 1u) & 31u)));
-                                                if (_e1878 > _e1882) {
-                                                    phi_4037_ = true;
+                                                let _e1878 = phi_4022_;
+                                                let _e1879 = (_e1878 & 31u);
+                                                let _e1881 = (_e1869 >> bitcast<u32>(_e1879));
+                                                let _e1885 = (_e1869 & ((1u << bitcast<u32>(_e1879)) - 1u));
+                                                let _e1889 = (1u << bitcast<u32>(((_e1878 - 1u) & 31u)));
+                                                if (_e1885 > _e1889) {
+                                                    phi_4043_ = true;
                                                 } else {
-                                                    if (_e1878 == _e1882) {
-                                                        phi_4034_ = ((_e1874 & 1u) == 1u);
+                                                    if (_e1885 == _e1889) {
+                                                        phi_4040_ = ((_e1881 & 1u) == 1u);
                                                     } else {
-                                                        phi_4034_ = false;
+                                                        phi_4040_ = false;
                                                     }
-                                                    let _e1888 = phi_4034_;
-                                                    phi_4037_ = _e1888;
+                                                    let _e1895 = phi_4040_;
+                                                    phi_4043_ = _e1895;
                                                 }
-                                                let _e1890 = phi_4037_;
-                                                phi_4050_ = f32();
-                                                phi_4051_ = bitcast<f32>((_e1843 | (_e1874 + select(0u, 1u, _e1890))));
+                                                let _e1897 = phi_4043_;
+                                                phi_4056_ = f32();
+                                                phi_4057_ = bitcast<f32>((_e1850 | (_e1881 + select(0u, 1u, _e1897))));
                                             }
-                                            let _e1903 = phi_4050_;
-                                            let _e1905 = phi_4051_;
-                                            phi_4056_ = _e1903;
-                                            phi_4057_ = _e1905;
-                                            phi_4058_ = _e1866;
+                                            let _e1910 = phi_4056_;
+                                            let _e1912 = phi_4057_;
+                                            phi_4062_ = _e1910;
+                                            phi_4063_ = _e1912;
+                                            phi_4064_ = _e1873;
                                         }
-                                        let _e1909 = phi_4056_;
-                                        let _e1911 = phi_4057_;
-                                        let _e1913 = phi_4058_;
-                                        phi_4066_ = select(_e1911, _e1909, _e1913);
+                                        let _e1916 = phi_4062_;
+                                        let _e1918 = phi_4063_;
+                                        let _e1920 = phi_4064_;
+                                        phi_4072_ = select(_e1918, _e1916, _e1920);
                                     }
-                                    let _e1917 = phi_4066_;
-                                    phi_3697_ = _e1917;
+                                    let _e1924 = phi_4072_;
+                                    phi_3703_ = _e1924;
                                 } else {
-                                    phi_3697_ = _e1840;
+                                    phi_3703_ = _e1847;
                                 }
-                                let _e1919 = phi_3697_;
-                                phi_3698_ = _e1919;
+                                let _e1926 = phi_3703_;
+                                phi_3704_ = _e1926;
                             }
-                            let _e1921 = phi_3698_;
-                            let _e1922 = bitcast<u32>(_e1921);
-                            if ((_e1922 & 2147483647u) >= 2139095040u) {
-                                phi_3710_ = bitcast<f32>(((_e1922 & 2147483648u) | 2139095039u));
+                            let _e1928 = phi_3704_;
+                            let _e1929 = bitcast<u32>(_e1928);
+                            if ((_e1929 & 2147483647u) >= 2139095040u) {
+                                phi_3716_ = bitcast<f32>(((_e1929 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_3710_ = _e1921;
+                                phi_3716_ = _e1928;
                             }
-                            let _e1929 = phi_3710_;
-                            phi_3715_ = type_26(_e1929, _e1811.member.member.member_1, _e1811.member.member.member_2, _e1811.member.member.member_3);
+                            let _e1936 = phi_3716_;
+                            phi_3721_ = type_26(_e1936, _e1818.member.member.member_1, _e1818.member.member.member_2, _e1818.member.member.member_3);
                         } else {
-                            phi_3715_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3721_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1934 = phi_3715_;
+                        let _e1941 = phi_3721_;
                         if _e154 {
                         } else {
                             break;
                         }
-                        global_2.member[_e138] = _e1934;
-                        let _e1938 = local_11;
+                        global_2.member[_e138] = _e1941;
+                        let _e1945 = local_11;
                         if _e155 {
                         } else {
                             break;
                         }
-                        global_6.member[_e138] = _e1938.member_1;
+                        global_6.member[_e138] = _e1945.member_1;
                         if _e153 {
                         } else {
                             break;
                         }
-                        let _e1943 = select(0u, 1u, (_e222 <= _e232));
-                        if (_e1943 > 0u) {
-                            let _e1945 = (1u < _e106);
-                            if _e1945 {
+                        let _e1950 = select(0u, 1u, (_e222 <= _e232));
+                        if (_e1950 > 0u) {
+                            let _e1952 = (1u < _e106);
+                            if _e1952 {
                                 if (0u < _e106) {
                                 } else {
                                     break;
                                 }
-                                let _e1949 = atomicAdd((&global_7.member[0u]), _e1943);
-                                if ((_e1949 + _e1943) < _e1949) {
-                                    if _e1945 {
+                                let _e1956 = atomicAdd((&global_7.member[0u]), _e1950);
+                                if ((_e1956 + _e1950) < _e1956) {
+                                    if _e1952 {
                                     } else {
                                         break;
                                     }
-                                    let _e1954 = atomicAdd((&global_7.member[1u]), 1u);
+                                    let _e1961 = atomicAdd((&global_7.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1957 = select(0u, 1u, (_e1934.member_3 != 4294967295u));
-                        if (_e1957 > 0u) {
-                            let _e1959 = (3u < _e106);
-                            if _e1959 {
+                        let _e1964 = select(0u, 1u, (_e1941.member_3 != 4294967295u));
+                        if (_e1964 > 0u) {
+                            let _e1966 = (3u < _e106);
+                            if _e1966 {
                                 if (2u < _e106) {
                                 } else {
                                     break;
                                 }
-                                let _e1963 = atomicAdd((&global_7.member[2u]), _e1957);
-                                if ((_e1963 + _e1957) < _e1963) {
-                                    if _e1959 {
+                                let _e1970 = atomicAdd((&global_7.member[2u]), _e1964);
+                                if ((_e1970 + _e1964) < _e1970) {
+                                    if _e1966 {
                                     } else {
                                         break;
                                     }
-                                    let _e1968 = atomicAdd((&global_7.member[3u]), 1u);
+                                    let _e1975 = atomicAdd((&global_7.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1938.member_1 > 0u) {
-                            let _e1970 = (5u < _e106);
-                            if _e1970 {
+                        if (_e1945.member_1 > 0u) {
+                            let _e1977 = (5u < _e106);
+                            if _e1977 {
                                 if (4u < _e106) {
                                 } else {
                                     break;
                                 }
-                                let _e1974 = atomicAdd((&global_7.member[4u]), _e1938.member_1);
-                                if ((_e1974 + _e1938.member_1) < _e1974) {
-                                    if _e1970 {
+                                let _e1981 = atomicAdd((&global_7.member[4u]), _e1945.member_1);
+                                if ((_e1981 + _e1945.member_1) < _e1981) {
+                                    if _e1977 {
                                     } else {
                                         break;
                                     }
-                                    let _e1979 = atomicAdd((&global_7.member[5u]), 1u);
+                                    let _e1986 = atomicAdd((&global_7.member[5u]), 1u);
                                 }
                             }
                         }

@@ -137,36 +137,16 @@ fn function_() {
     var phi_1077_: u32;
     var phi_1085_: f32;
     var phi_1086_: f32;
-    var phi_4783_: bool;
+    var phi_4789_: bool;
     var phi_1191_: type_42;
-    var phi_1194_: bool;
-    var phi_1196_: u32;
+    var phi_1194_: u32;
+    var phi_1196_: bool;
     var phi_1198_: u32;
     var phi_1200_: type_49;
     var phi_1211_: bool;
     var phi_1297_: bool;
     var phi_1298_: u32;
     var phi_1299_: type_49;
-    var phi_3526_: u32;
-    var phi_3532_: u32;
-    var phi_3786_: u32;
-    var phi_3787_: u32;
-    var phi_3797_: u32;
-    var phi_3799_: u32;
-    var phi_3800_: bool;
-    var phi_3820_: u32;
-    var phi_3821_: u32;
-    var phi_3825_: type_50;
-    var phi_4190_: type_49;
-    var phi_4267_: type_49;
-    var phi_4268_: u32;
-    var phi_4269_: type_49;
-    var phi_4271_: u32;
-    var phi_4272_: type_49;
-    var phi_4273_: bool;
-    var phi_4282_: type_49;
-    var phi_4287_: bool;
-    var phi_4289_: type_49;
     var phi_1318_: type_42;
     var phi_1321_: type_8;
     var phi_1322_: type_8;
@@ -246,51 +226,74 @@ fn function_() {
     var phi_3018_: type_42;
     var phi_3019_: type_42;
     var phi_1319_: type_42;
-    var phi_4777_: bool;
-    var phi_4988_: bool;
-    var phi_4294_: type_42;
-    var phi_4295_: bool;
-    var phi_4296_: u32;
-    var phi_4297_: type_49;
-    var phi_4987_: bool;
-    var phi_4298_: type_42;
-    var phi_4299_: bool;
-    var phi_4300_: u32;
-    var phi_4301_: u32;
-    var phi_4302_: type_49;
-    var phi_4986_: bool;
-    var phi_4303_: type_42;
-    var phi_4304_: bool;
+    var phi_4783_: bool;
+    var phi_5081_: bool;
+    var phi_3020_: type_42;
+    var phi_3522_: u32;
+    var phi_3528_: u32;
+    var phi_3782_: u32;
+    var phi_3783_: u32;
+    var phi_3793_: u32;
+    var phi_3795_: u32;
+    var phi_3796_: bool;
+    var phi_3816_: u32;
+    var phi_3817_: u32;
+    var phi_3821_: type_50;
+    var phi_4186_: type_49;
+    var phi_4262_: type_49;
+    var phi_4263_: u32;
+    var phi_4264_: type_49;
+    var phi_4266_: u32;
+    var phi_4267_: type_49;
+    var phi_4268_: bool;
+    var phi_4277_: type_49;
+    var phi_4282_: bool;
+    var phi_4284_: type_49;
+    var phi_4289_: type_42;
+    var phi_4290_: bool;
+    var phi_4291_: u32;
+    var phi_4292_: type_49;
+    var phi_4300_: type_42;
+    var phi_4303_: type_49;
+    var phi_4993_: bool;
+    var phi_4304_: type_42;
     var phi_4305_: u32;
-    var phi_4306_: u32;
-    var phi_4307_: type_49;
-    var phi_4985_: bool;
+    var phi_4306_: bool;
+    var phi_4307_: u32;
+    var phi_4308_: type_49;
+    var phi_4992_: bool;
+    var phi_4309_: type_42;
+    var phi_4310_: u32;
+    var phi_4311_: bool;
+    var phi_4312_: u32;
+    var phi_4313_: type_49;
+    var phi_4991_: bool;
     var phi_1192_: type_42;
-    var phi_1195_: bool;
-    var phi_1197_: u32;
+    var phi_1195_: u32;
+    var phi_1197_: bool;
     var phi_1199_: u32;
     var phi_1201_: type_49;
-    var phi_4308_: bool;
-    var phi_4984_: bool;
+    var phi_4314_: bool;
+    var phi_4990_: bool;
     var local_10: type_42;
-    var phi_4346_: f32;
-    var phi_4348_: f32;
-    var phi_4349_: bool;
-    var phi_4350_: f32;
-    var phi_4351_: bool;
-    var phi_4685_: u32;
-    var phi_4703_: bool;
-    var phi_4706_: bool;
-    var phi_4719_: f32;
-    var phi_4720_: f32;
+    var phi_4352_: f32;
+    var phi_4354_: f32;
+    var phi_4355_: bool;
+    var phi_4356_: f32;
+    var phi_4357_: bool;
+    var phi_4691_: u32;
+    var phi_4709_: bool;
+    var phi_4712_: bool;
     var phi_4725_: f32;
     var phi_4726_: f32;
-    var phi_4727_: bool;
-    var phi_4735_: f32;
-    var phi_4366_: f32;
-    var phi_4367_: f32;
-    var phi_4379_: f32;
-    var phi_4384_: type_22;
+    var phi_4731_: f32;
+    var phi_4732_: f32;
+    var phi_4733_: bool;
+    var phi_4741_: f32;
+    var phi_4372_: f32;
+    var phi_4373_: f32;
+    var phi_4385_: f32;
+    var phi_4390_: type_22;
     var local_11: type_42;
     var local_12: type_42;
 
@@ -653,14 +656,14 @@ fn function_() {
                             break;
                         }
                         let _e651 = local[_e635];
-                        phi_4783_ = false;
+                        phi_4789_ = false;
                         phi_1191_ = type_42(type_39(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e612), 0u, 0u);
-                        phi_1194_ = (_e614 <= _e612);
-                        phi_1196_ = ((3u * _e100) + 1u);
+                        phi_1194_ = ((3u * _e100) + 1u);
+                        phi_1196_ = (_e614 <= _e612);
                         phi_1198_ = 0u;
                         phi_1200_ = type_49(type_34(vec4<f32>((f32(_e626) * _e155), (f32(_e632) * _e155), (f32(_e638) * _e155), 0f), vec4<f32>((f32(_e643) * _e155), (f32(_e647) * _e155), (f32(_e651) * _e155), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
                         loop {
-                            let _e661 = phi_4783_;
+                            let _e661 = phi_4789_;
                             let _e663 = phi_1191_;
                             let _e665 = phi_1194_;
                             let _e667 = phi_1196_;
@@ -668,17 +671,17 @@ fn function_() {
                             let _e671 = phi_1200_;
                             local_10 = _e663;
                             local_11 = _e663;
-                            if _e665 {
+                            if _e667 {
                                 phi_1211_ = true;
                             } else {
                                 phi_1211_ = (_e669 > 0u);
                             }
                             let _e674 = phi_1211_;
                             if _e674 {
-                                let _e675 = (_e667 > 0u);
+                                let _e675 = (_e665 > 0u);
                                 if _e675 {
-                                    if _e665 {
-                                        phi_1297_ = _e665;
+                                    if _e667 {
+                                        phi_1297_ = _e667;
                                         phi_1298_ = _e669;
                                         phi_1299_ = _e671;
                                     } else {
@@ -687,49 +690,49 @@ fn function_() {
                                         let _e678 = (_e677 < 128u);
                                         if _e678 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e680 = local_7[_e677];
                                         if _e678 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e682 = local_6[_e677];
                                         if _e678 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e684 = local_5[_e677];
                                         if _e678 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e686 = local_4[_e677];
                                         if _e678 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e688 = local_3[_e677];
                                         if _e678 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e690 = local_2[_e677];
                                         if _e678 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e695 = local_8[_e677];
                                         if _e678 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e698 = local_9[_e677];
@@ -741,39 +744,40 @@ fn function_() {
                                     let _e705 = phi_1298_;
                                     let _e707 = phi_1299_;
                                     if _e703 {
+                                        let _e711 = ((_e707.member_1 & 2147483648u) != 0u);
                                         let _e712 = (_e707.member_1 & 268435455u);
-                                        if ((_e707.member_1 & 2147483648u) != 0u) {
+                                        if _e711 {
                                             phi_1318_ = _e663;
                                             phi_1321_ = type_8(0u, ((_e707.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1185 = phi_1318_;
-                                                let _e1187 = phi_1321_;
-                                                local_12 = _e1185;
-                                                if (_e1187.member < _e1187.member_1) {
-                                                    phi_1322_ = type_8((_e1187.member + 1u), _e1187.member_1);
-                                                    phi_1344_ = type_8(1u, _e1187.member);
+                                                let _e719 = phi_1318_;
+                                                let _e721 = phi_1321_;
+                                                local_12 = _e719;
+                                                if (_e721.member < _e721.member_1) {
+                                                    phi_1322_ = type_8((_e721.member + 1u), _e721.member_1);
+                                                    phi_1344_ = type_8(1u, _e721.member);
                                                 } else {
-                                                    phi_1322_ = _e1187;
+                                                    phi_1322_ = _e721;
                                                     phi_1344_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1200 = phi_1322_;
-                                                let _e1202 = phi_1344_;
-                                                let _e1206 = (bitcast<i32>(_e1202.member) != 0i);
-                                                if _e1206 {
-                                                    let _e1212 = type_42(_e1185.member, _e1185.member_1, (_e1185.member_2 + 1u));
-                                                    let _e1217 = (_e707.member.member_1.x - _e707.member.member.x);
-                                                    let _e1220 = (_e707.member.member_1.y - _e707.member.member.y);
-                                                    let _e1223 = (_e707.member.member_1.z - _e707.member.member.z);
-                                                    let _e1225 = select(_e1220, _e1217, (_e1217 > _e1220));
-                                                    let _e1227 = select(_e1223, _e1225, (_e1225 > _e1223));
-                                                    let _e1229 = (_e1227 < (1024f * _e155));
-                                                    if _e1229 {
+                                                let _e734 = phi_1322_;
+                                                let _e736 = phi_1344_;
+                                                let _e740 = (bitcast<i32>(_e736.member) != 0i);
+                                                if _e740 {
+                                                    let _e746 = type_42(_e719.member, _e719.member_1, (_e719.member_2 + 1u));
+                                                    let _e751 = (_e707.member.member_1.x - _e707.member.member.x);
+                                                    let _e754 = (_e707.member.member_1.y - _e707.member.member.y);
+                                                    let _e757 = (_e707.member.member_1.z - _e707.member.member.z);
+                                                    let _e759 = select(_e754, _e751, (_e751 > _e754));
+                                                    let _e761 = select(_e757, _e759, (_e759 > _e757));
+                                                    let _e763 = (_e761 < (1024f * _e155));
+                                                    if _e763 {
                                                         phi_1388_ = 0u;
                                                     } else {
-                                                        phi_1388_ = select(2u, 1u, (_e1227 < (2097152f * _e155)));
+                                                        phi_1388_ = select(2u, 1u, (_e761 < (2097152f * _e155)));
                                                     }
-                                                    let _e1234 = phi_1388_;
-                                                    switch bitcast<i32>(_e1234) {
+                                                    let _e768 = phi_1388_;
+                                                    switch bitcast<i32>(_e768) {
                                                         case 0: {
                                                             phi_1394_ = 1u;
                                                             break;
@@ -791,8 +795,8 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1237 = phi_1394_;
-                                                    switch bitcast<i32>(_e1234) {
+                                                    let _e771 = phi_1394_;
+                                                    switch bitcast<i32>(_e768) {
                                                         case 0: {
                                                             phi_1404_ = 1u;
                                                             break;
@@ -810,28 +814,28 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1244 = phi_1404_;
-                                                    let _e1246 = ((_e712 + (_e1202.member_1 * ((3u * _e1237) + 1u))) + (3u * _e1244));
-                                                    let _e1247 = (_e1246 < _e103);
-                                                    if _e1247 {
-                                                        if _e1247 {
+                                                    let _e778 = phi_1404_;
+                                                    let _e780 = ((_e712 + (_e736.member_1 * ((3u * _e771) + 1u))) + (3u * _e778));
+                                                    let _e781 = (_e780 < _e103);
+                                                    if _e781 {
+                                                        if _e781 {
                                                         } else {
-                                                            phi_4777_ = true;
+                                                            phi_4783_ = true;
                                                             break;
                                                         }
-                                                        let _e1249 = global_7.member[_e1246];
-                                                        phi_1420_ = _e1249;
+                                                        let _e783 = global_7.member[_e780];
+                                                        phi_1420_ = _e783;
                                                     } else {
                                                         phi_1420_ = 4294967295u;
                                                     }
-                                                    let _e1251 = phi_1420_;
-                                                    if _e1229 {
+                                                    let _e785 = phi_1420_;
+                                                    if _e763 {
                                                         phi_1453_ = 0u;
                                                     } else {
-                                                        phi_1453_ = select(2u, 1u, (_e1227 < (2097152f * _e155)));
+                                                        phi_1453_ = select(2u, 1u, (_e761 < (2097152f * _e155)));
                                                     }
-                                                    let _e1256 = phi_1453_;
-                                                    switch bitcast<i32>(_e1256) {
+                                                    let _e790 = phi_1453_;
+                                                    switch bitcast<i32>(_e790) {
                                                         case 0: {
                                                             phi_1459_ = 1u;
                                                             break;
@@ -849,331 +853,331 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1259 = phi_1459_;
-                                                    let _e1263 = (_e712 + (_e1202.member_1 * ((3u * _e1259) + 1u)));
-                                                    switch bitcast<i32>(_e1256) {
+                                                    let _e793 = phi_1459_;
+                                                    let _e797 = (_e712 + (_e736.member_1 * ((3u * _e793) + 1u)));
+                                                    switch bitcast<i32>(_e790) {
                                                         case 0: {
-                                                            let _e1538 = (_e1263 < _e103);
-                                                            if _e1538 {
-                                                                if _e1538 {
+                                                            let _e1072 = (_e797 < _e103);
+                                                            if _e1072 {
+                                                                if _e1072 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1540 = global_7.member[_e1263];
-                                                                phi_1486_ = _e1540;
+                                                                let _e1074 = global_7.member[_e797];
+                                                                phi_1486_ = _e1074;
                                                             } else {
                                                                 phi_1486_ = 0u;
                                                             }
-                                                            let _e1542 = phi_1486_;
-                                                            let _e1544 = ((10u * _e281) & 31u);
-                                                            let _e1554 = ((10u * _e280) & 31u);
-                                                            let _e1564 = ((10u * _e282) & 31u);
-                                                            let _e1574 = (_e1263 + 1u);
-                                                            let _e1575 = (_e1574 < _e103);
-                                                            if _e1575 {
-                                                                if _e1575 {
+                                                            let _e1076 = phi_1486_;
+                                                            let _e1078 = ((10u * _e281) & 31u);
+                                                            let _e1088 = ((10u * _e280) & 31u);
+                                                            let _e1098 = ((10u * _e282) & 31u);
+                                                            let _e1108 = (_e797 + 1u);
+                                                            let _e1109 = (_e1108 < _e103);
+                                                            if _e1109 {
+                                                                if _e1109 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1577 = global_7.member[_e1574];
-                                                                phi_1535_ = _e1577;
+                                                                let _e1111 = global_7.member[_e1108];
+                                                                phi_1535_ = _e1111;
                                                             } else {
                                                                 phi_1535_ = 0u;
                                                             }
-                                                            let _e1579 = phi_1535_;
-                                                            let _e1605 = (_e1263 + 2u);
-                                                            let _e1606 = (_e1605 < _e103);
-                                                            if _e1606 {
-                                                                if _e1606 {
+                                                            let _e1113 = phi_1535_;
+                                                            let _e1139 = (_e797 + 2u);
+                                                            let _e1140 = (_e1139 < _e103);
+                                                            if _e1140 {
+                                                                if _e1140 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1608 = global_7.member[_e1605];
-                                                                phi_1584_ = _e1608;
+                                                                let _e1142 = global_7.member[_e1139];
+                                                                phi_1584_ = _e1142;
                                                             } else {
                                                                 phi_1584_ = 0u;
                                                             }
-                                                            let _e1610 = phi_1584_;
-                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | ((_e1542 >> bitcast<u32>(_e1544)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | ((_e1542 >> bitcast<u32>(_e1554)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | ((_e1542 >> bitcast<u32>(_e1564)) & 1023u))) - 8388608f) * _e155))), array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | ((_e1579 >> bitcast<u32>(_e1544)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | ((_e1579 >> bitcast<u32>(_e1554)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | ((_e1579 >> bitcast<u32>(_e1564)) & 1023u))) - 8388608f) * _e155))), array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | ((_e1610 >> bitcast<u32>(_e1544)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | ((_e1610 >> bitcast<u32>(_e1554)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | ((_e1610 >> bitcast<u32>(_e1564)) & 1023u))) - 8388608f) * _e155))));
+                                                            let _e1144 = phi_1584_;
+                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | ((_e1076 >> bitcast<u32>(_e1078)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | ((_e1076 >> bitcast<u32>(_e1088)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | ((_e1076 >> bitcast<u32>(_e1098)) & 1023u))) - 8388608f) * _e155))), array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | ((_e1113 >> bitcast<u32>(_e1078)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | ((_e1113 >> bitcast<u32>(_e1088)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | ((_e1113 >> bitcast<u32>(_e1098)) & 1023u))) - 8388608f) * _e155))), array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | ((_e1144 >> bitcast<u32>(_e1078)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | ((_e1144 >> bitcast<u32>(_e1088)) & 1023u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | ((_e1144 >> bitcast<u32>(_e1098)) & 1023u))) - 8388608f) * _e155))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1352 = (_e1263 < _e103);
-                                                            if _e1352 {
-                                                                if _e1352 {
+                                                            let _e886 = (_e797 < _e103);
+                                                            if _e886 {
+                                                                if _e886 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1354 = global_7.member[_e1263];
-                                                                phi_1633_ = _e1354;
+                                                                let _e888 = global_7.member[_e797];
+                                                                phi_1633_ = _e888;
                                                             } else {
                                                                 phi_1633_ = 0u;
                                                             }
-                                                            let _e1356 = phi_1633_;
-                                                            let _e1357 = (_e1263 + 1u);
-                                                            let _e1358 = (_e1357 < _e103);
-                                                            if _e1358 {
-                                                                if _e1358 {
+                                                            let _e890 = phi_1633_;
+                                                            let _e891 = (_e797 + 1u);
+                                                            let _e892 = (_e891 < _e103);
+                                                            if _e892 {
+                                                                if _e892 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1360 = global_7.member[_e1357];
-                                                                phi_1648_ = _e1360;
+                                                                let _e894 = global_7.member[_e891];
+                                                                phi_1648_ = _e894;
                                                             } else {
                                                                 phi_1648_ = 0u;
                                                             }
-                                                            let _e1362 = phi_1648_;
-                                                            let _e1363 = (_e281 == 1u);
-                                                            if _e1363 {
-                                                                phi_1658_ = ((_e1356 >> bitcast<u32>(21i)) | (_e1362 << bitcast<u32>(11i)));
+                                                            let _e896 = phi_1648_;
+                                                            let _e897 = (_e281 == 1u);
+                                                            if _e897 {
+                                                                phi_1658_ = ((_e890 >> bitcast<u32>(21i)) | (_e896 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1658_ = (_e1362 >> bitcast<u32>(10i));
+                                                                phi_1658_ = (_e896 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1372 = phi_1658_;
-                                                            let _e1380 = (_e280 == 1u);
-                                                            if _e1380 {
-                                                                phi_1679_ = ((_e1356 >> bitcast<u32>(21i)) | (_e1362 << bitcast<u32>(11i)));
+                                                            let _e906 = phi_1658_;
+                                                            let _e914 = (_e280 == 1u);
+                                                            if _e914 {
+                                                                phi_1679_ = ((_e890 >> bitcast<u32>(21i)) | (_e896 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1679_ = (_e1362 >> bitcast<u32>(10i));
+                                                                phi_1679_ = (_e896 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1389 = phi_1679_;
-                                                            let _e1397 = (_e282 == 1u);
-                                                            if _e1397 {
-                                                                phi_1700_ = ((_e1356 >> bitcast<u32>(21i)) | (_e1362 << bitcast<u32>(11i)));
+                                                            let _e923 = phi_1679_;
+                                                            let _e931 = (_e282 == 1u);
+                                                            if _e931 {
+                                                                phi_1700_ = ((_e890 >> bitcast<u32>(21i)) | (_e896 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1700_ = (_e1362 >> bitcast<u32>(10i));
+                                                                phi_1700_ = (_e896 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1406 = phi_1700_;
-                                                            let _e1415 = (_e1263 + 2u);
-                                                            let _e1416 = (_e1415 < _e103);
-                                                            if _e1416 {
-                                                                if _e1416 {
+                                                            let _e940 = phi_1700_;
+                                                            let _e949 = (_e797 + 2u);
+                                                            let _e950 = (_e949 < _e103);
+                                                            if _e950 {
+                                                                if _e950 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1418 = global_7.member[_e1415];
-                                                                phi_1730_ = _e1418;
+                                                                let _e952 = global_7.member[_e949];
+                                                                phi_1730_ = _e952;
                                                             } else {
                                                                 phi_1730_ = 0u;
                                                             }
-                                                            let _e1420 = phi_1730_;
-                                                            let _e1421 = (_e1263 + 3u);
-                                                            let _e1422 = (_e1421 < _e103);
-                                                            if _e1422 {
-                                                                if _e1422 {
+                                                            let _e954 = phi_1730_;
+                                                            let _e955 = (_e797 + 3u);
+                                                            let _e956 = (_e955 < _e103);
+                                                            if _e956 {
+                                                                if _e956 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1424 = global_7.member[_e1421];
-                                                                phi_1745_ = _e1424;
+                                                                let _e958 = global_7.member[_e955];
+                                                                phi_1745_ = _e958;
                                                             } else {
                                                                 phi_1745_ = 0u;
                                                             }
-                                                            let _e1426 = phi_1745_;
-                                                            if _e1363 {
-                                                                phi_1755_ = ((_e1420 >> bitcast<u32>(21i)) | (_e1426 << bitcast<u32>(11i)));
+                                                            let _e960 = phi_1745_;
+                                                            if _e897 {
+                                                                phi_1755_ = ((_e954 >> bitcast<u32>(21i)) | (_e960 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1755_ = (_e1426 >> bitcast<u32>(10i));
+                                                                phi_1755_ = (_e960 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1435 = phi_1755_;
-                                                            if _e1380 {
-                                                                phi_1776_ = ((_e1420 >> bitcast<u32>(21i)) | (_e1426 << bitcast<u32>(11i)));
+                                                            let _e969 = phi_1755_;
+                                                            if _e914 {
+                                                                phi_1776_ = ((_e954 >> bitcast<u32>(21i)) | (_e960 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1776_ = (_e1426 >> bitcast<u32>(10i));
+                                                                phi_1776_ = (_e960 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1451 = phi_1776_;
-                                                            if _e1397 {
-                                                                phi_1797_ = ((_e1420 >> bitcast<u32>(21i)) | (_e1426 << bitcast<u32>(11i)));
+                                                            let _e985 = phi_1776_;
+                                                            if _e931 {
+                                                                phi_1797_ = ((_e954 >> bitcast<u32>(21i)) | (_e960 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1797_ = (_e1426 >> bitcast<u32>(10i));
+                                                                phi_1797_ = (_e960 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1467 = phi_1797_;
-                                                            let _e1476 = (_e1263 + 4u);
-                                                            let _e1477 = (_e1476 < _e103);
-                                                            if _e1477 {
-                                                                if _e1477 {
+                                                            let _e1001 = phi_1797_;
+                                                            let _e1010 = (_e797 + 4u);
+                                                            let _e1011 = (_e1010 < _e103);
+                                                            if _e1011 {
+                                                                if _e1011 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1479 = global_7.member[_e1476];
-                                                                phi_1827_ = _e1479;
+                                                                let _e1013 = global_7.member[_e1010];
+                                                                phi_1827_ = _e1013;
                                                             } else {
                                                                 phi_1827_ = 0u;
                                                             }
-                                                            let _e1481 = phi_1827_;
-                                                            let _e1482 = (_e1263 + 5u);
-                                                            let _e1483 = (_e1482 < _e103);
-                                                            if _e1483 {
-                                                                if _e1483 {
+                                                            let _e1015 = phi_1827_;
+                                                            let _e1016 = (_e797 + 5u);
+                                                            let _e1017 = (_e1016 < _e103);
+                                                            if _e1017 {
+                                                                if _e1017 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1485 = global_7.member[_e1482];
-                                                                phi_1842_ = _e1485;
+                                                                let _e1019 = global_7.member[_e1016];
+                                                                phi_1842_ = _e1019;
                                                             } else {
                                                                 phi_1842_ = 0u;
                                                             }
-                                                            let _e1487 = phi_1842_;
-                                                            if _e1363 {
-                                                                phi_1852_ = ((_e1481 >> bitcast<u32>(21i)) | (_e1487 << bitcast<u32>(11i)));
+                                                            let _e1021 = phi_1842_;
+                                                            if _e897 {
+                                                                phi_1852_ = ((_e1015 >> bitcast<u32>(21i)) | (_e1021 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1852_ = (_e1487 >> bitcast<u32>(10i));
+                                                                phi_1852_ = (_e1021 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1496 = phi_1852_;
-                                                            if _e1380 {
-                                                                phi_1873_ = ((_e1481 >> bitcast<u32>(21i)) | (_e1487 << bitcast<u32>(11i)));
+                                                            let _e1030 = phi_1852_;
+                                                            if _e914 {
+                                                                phi_1873_ = ((_e1015 >> bitcast<u32>(21i)) | (_e1021 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1873_ = (_e1487 >> bitcast<u32>(10i));
+                                                                phi_1873_ = (_e1021 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1512 = phi_1873_;
-                                                            if _e1397 {
-                                                                phi_1894_ = ((_e1481 >> bitcast<u32>(21i)) | (_e1487 << bitcast<u32>(11i)));
+                                                            let _e1046 = phi_1873_;
+                                                            if _e931 {
+                                                                phi_1894_ = ((_e1015 >> bitcast<u32>(21i)) | (_e1021 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1894_ = (_e1487 >> bitcast<u32>(10i));
+                                                                phi_1894_ = (_e1021 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1528 = phi_1894_;
-                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1372, _e1356, _e305) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1389, _e1356, _e372) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1406, _e1356, _e438) & 2097151u))) - 8388608f) * _e155))), array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1435, _e1420, _e305) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1451, _e1420, _e372) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1467, _e1420, _e438) & 2097151u))) - 8388608f) * _e155))), array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1496, _e1481, _e305) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1512, _e1481, _e372) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1528, _e1481, _e438) & 2097151u))) - 8388608f) * _e155))));
+                                                            let _e1062 = phi_1894_;
+                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | (select(_e906, _e890, _e305) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | (select(_e923, _e890, _e372) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | (select(_e940, _e890, _e438) & 2097151u))) - 8388608f) * _e155))), array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | (select(_e969, _e954, _e305) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | (select(_e985, _e954, _e372) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1001, _e954, _e438) & 2097151u))) - 8388608f) * _e155))), array<f32, 3>((_e707.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1030, _e1015, _e305) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1046, _e1015, _e372) & 2097151u))) - 8388608f) * _e155)), (_e707.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1062, _e1015, _e438) & 2097151u))) - 8388608f) * _e155))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e1265 = (_e1263 + _e281);
-                                                            let _e1266 = (_e1265 < _e103);
-                                                            if _e1266 {
-                                                                if _e1266 {
+                                                            let _e799 = (_e797 + _e281);
+                                                            let _e800 = (_e799 < _e103);
+                                                            if _e800 {
+                                                                if _e800 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1268 = global_7.member[_e1265];
-                                                                phi_1925_ = _e1268;
+                                                                let _e802 = global_7.member[_e799];
+                                                                phi_1925_ = _e802;
                                                             } else {
                                                                 phi_1925_ = 0u;
                                                             }
-                                                            let _e1270 = phi_1925_;
-                                                            let _e1274 = (_e1263 + _e280);
-                                                            let _e1275 = (_e1274 < _e103);
-                                                            if _e1275 {
-                                                                if _e1275 {
+                                                            let _e804 = phi_1925_;
+                                                            let _e808 = (_e797 + _e280);
+                                                            let _e809 = (_e808 < _e103);
+                                                            if _e809 {
+                                                                if _e809 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1277 = global_7.member[_e1274];
-                                                                phi_1943_ = _e1277;
+                                                                let _e811 = global_7.member[_e808];
+                                                                phi_1943_ = _e811;
                                                             } else {
                                                                 phi_1943_ = 0u;
                                                             }
-                                                            let _e1279 = phi_1943_;
-                                                            let _e1283 = (_e1263 + _e282);
-                                                            let _e1284 = (_e1283 < _e103);
-                                                            if _e1284 {
-                                                                if _e1284 {
+                                                            let _e813 = phi_1943_;
+                                                            let _e817 = (_e797 + _e282);
+                                                            let _e818 = (_e817 < _e103);
+                                                            if _e818 {
+                                                                if _e818 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1286 = global_7.member[_e1283];
-                                                                phi_1961_ = _e1286;
+                                                                let _e820 = global_7.member[_e817];
+                                                                phi_1961_ = _e820;
                                                             } else {
                                                                 phi_1961_ = 0u;
                                                             }
-                                                            let _e1288 = phi_1961_;
-                                                            let _e1293 = (_e1263 + 3u);
-                                                            let _e1294 = (_e1293 + _e281);
-                                                            let _e1295 = (_e1294 < _e103);
-                                                            if _e1295 {
-                                                                if _e1295 {
+                                                            let _e822 = phi_1961_;
+                                                            let _e827 = (_e797 + 3u);
+                                                            let _e828 = (_e827 + _e281);
+                                                            let _e829 = (_e828 < _e103);
+                                                            if _e829 {
+                                                                if _e829 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1297 = global_7.member[_e1294];
-                                                                phi_1984_ = _e1297;
+                                                                let _e831 = global_7.member[_e828];
+                                                                phi_1984_ = _e831;
                                                             } else {
                                                                 phi_1984_ = 0u;
                                                             }
-                                                            let _e1299 = phi_1984_;
-                                                            let _e1303 = (_e1293 + _e280);
-                                                            let _e1304 = (_e1303 < _e103);
-                                                            if _e1304 {
-                                                                if _e1304 {
+                                                            let _e833 = phi_1984_;
+                                                            let _e837 = (_e827 + _e280);
+                                                            let _e838 = (_e837 < _e103);
+                                                            if _e838 {
+                                                                if _e838 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1306 = global_7.member[_e1303];
-                                                                phi_2002_ = _e1306;
+                                                                let _e840 = global_7.member[_e837];
+                                                                phi_2002_ = _e840;
                                                             } else {
                                                                 phi_2002_ = 0u;
                                                             }
-                                                            let _e1308 = phi_2002_;
-                                                            let _e1312 = (_e1293 + _e282);
-                                                            let _e1313 = (_e1312 < _e103);
-                                                            if _e1313 {
-                                                                if _e1313 {
+                                                            let _e842 = phi_2002_;
+                                                            let _e846 = (_e827 + _e282);
+                                                            let _e847 = (_e846 < _e103);
+                                                            if _e847 {
+                                                                if _e847 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1315 = global_7.member[_e1312];
-                                                                phi_2020_ = _e1315;
+                                                                let _e849 = global_7.member[_e846];
+                                                                phi_2020_ = _e849;
                                                             } else {
                                                                 phi_2020_ = 0u;
                                                             }
-                                                            let _e1317 = phi_2020_;
-                                                            let _e1322 = (_e1263 + 6u);
-                                                            let _e1323 = (_e1322 + _e281);
-                                                            let _e1324 = (_e1323 < _e103);
-                                                            if _e1324 {
-                                                                if _e1324 {
+                                                            let _e851 = phi_2020_;
+                                                            let _e856 = (_e797 + 6u);
+                                                            let _e857 = (_e856 + _e281);
+                                                            let _e858 = (_e857 < _e103);
+                                                            if _e858 {
+                                                                if _e858 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1326 = global_7.member[_e1323];
-                                                                phi_2043_ = _e1326;
+                                                                let _e860 = global_7.member[_e857];
+                                                                phi_2043_ = _e860;
                                                             } else {
                                                                 phi_2043_ = 0u;
                                                             }
-                                                            let _e1328 = phi_2043_;
-                                                            let _e1332 = (_e1322 + _e280);
-                                                            let _e1333 = (_e1332 < _e103);
-                                                            if _e1333 {
-                                                                if _e1333 {
+                                                            let _e862 = phi_2043_;
+                                                            let _e866 = (_e856 + _e280);
+                                                            let _e867 = (_e866 < _e103);
+                                                            if _e867 {
+                                                                if _e867 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1335 = global_7.member[_e1332];
-                                                                phi_2061_ = _e1335;
+                                                                let _e869 = global_7.member[_e866];
+                                                                phi_2061_ = _e869;
                                                             } else {
                                                                 phi_2061_ = 0u;
                                                             }
-                                                            let _e1337 = phi_2061_;
-                                                            let _e1341 = (_e1322 + _e282);
-                                                            let _e1342 = (_e1341 < _e103);
-                                                            if _e1342 {
-                                                                if _e1342 {
+                                                            let _e871 = phi_2061_;
+                                                            let _e875 = (_e856 + _e282);
+                                                            let _e876 = (_e875 < _e103);
+                                                            if _e876 {
+                                                                if _e876 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1344 = global_7.member[_e1341];
-                                                                phi_2079_ = _e1344;
+                                                                let _e878 = global_7.member[_e875];
+                                                                phi_2079_ = _e878;
                                                             } else {
                                                                 phi_2079_ = 0u;
                                                             }
-                                                            let _e1346 = phi_2079_;
-                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1270)) * _e155), (f32(bitcast<i32>(_e1279)) * _e155), (f32(bitcast<i32>(_e1288)) * _e155)), array<f32, 3>((f32(bitcast<i32>(_e1299)) * _e155), (f32(bitcast<i32>(_e1308)) * _e155), (f32(bitcast<i32>(_e1317)) * _e155)), array<f32, 3>((f32(bitcast<i32>(_e1328)) * _e155), (f32(bitcast<i32>(_e1337)) * _e155), (f32(bitcast<i32>(_e1346)) * _e155)));
+                                                            let _e880 = phi_2079_;
+                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e804)) * _e155), (f32(bitcast<i32>(_e813)) * _e155), (f32(bitcast<i32>(_e822)) * _e155)), array<f32, 3>((f32(bitcast<i32>(_e833)) * _e155), (f32(bitcast<i32>(_e842)) * _e155), (f32(bitcast<i32>(_e851)) * _e155)), array<f32, 3>((f32(bitcast<i32>(_e862)) * _e155), (f32(bitcast<i32>(_e871)) * _e155), (f32(bitcast<i32>(_e880)) * _e155)));
                                                             break;
                                                         }
                                                         default: {
@@ -1181,901 +1185,916 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1638 = phi_2085_;
-                                                    let _e1647 = (_e1638[0][2] - _e461);
-                                                    let _e1650 = (((_e1638[0][0] - _e328) * _e500) - (_e1647 * _e368));
-                                                    let _e1653 = (((_e1638[0][1] - _e395) * _e500) - (_e1647 * _e434));
-                                                    let _e1660 = (_e1638[1][2] - _e461);
-                                                    let _e1663 = (((_e1638[1][0] - _e328) * _e500) - (_e1660 * _e368));
-                                                    let _e1666 = (((_e1638[1][1] - _e395) * _e500) - (_e1660 * _e434));
-                                                    let _e1673 = (_e1638[2][2] - _e461);
-                                                    let _e1676 = (((_e1638[2][0] - _e328) * _e500) - (_e1673 * _e368));
-                                                    let _e1679 = (((_e1638[2][1] - _e395) * _e500) - (_e1673 * _e434));
-                                                    let _e1680 = (_e1676 * _e1666);
-                                                    let _e1681 = (_e1679 * _e1663);
-                                                    let _e1682 = (_e1650 * _e1679);
-                                                    let _e1683 = (_e1653 * _e1676);
-                                                    let _e1684 = (_e1663 * _e1653);
-                                                    let _e1685 = (_e1666 * _e1650);
-                                                    let _e1690 = (((_e1680 >= _e1681) && (_e1682 >= _e1683)) && (_e1684 >= _e1685));
-                                                    if (_e1690 || (((_e1680 <= _e1681) && (_e1682 <= _e1683)) && (_e1684 <= _e1685))) {
-                                                        let _e1697 = select(-1f, 1f, _e1690);
-                                                        let _e1699 = ((_e1680 - _e1681) * _e1697);
-                                                        let _e1701 = select(0f, _e1699, (_e1699 > 0f));
-                                                        let _e1703 = ((_e1682 - _e1683) * _e1697);
-                                                        let _e1705 = select(0f, _e1703, (_e1703 > 0f));
-                                                        let _e1707 = ((_e1684 - _e1685) * _e1697);
-                                                        let _e1709 = select(0f, _e1707, (_e1707 > 0f));
-                                                        let _e1711 = ((_e1701 + _e1705) + _e1709);
-                                                        if (_e1711 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e1172 = phi_2085_;
+                                                    let _e1181 = (_e1172[0][2] - _e461);
+                                                    let _e1184 = (((_e1172[0][0] - _e328) * _e500) - (_e1181 * _e368));
+                                                    let _e1187 = (((_e1172[0][1] - _e395) * _e500) - (_e1181 * _e434));
+                                                    let _e1194 = (_e1172[1][2] - _e461);
+                                                    let _e1197 = (((_e1172[1][0] - _e328) * _e500) - (_e1194 * _e368));
+                                                    let _e1200 = (((_e1172[1][1] - _e395) * _e500) - (_e1194 * _e434));
+                                                    let _e1207 = (_e1172[2][2] - _e461);
+                                                    let _e1210 = (((_e1172[2][0] - _e328) * _e500) - (_e1207 * _e368));
+                                                    let _e1213 = (((_e1172[2][1] - _e395) * _e500) - (_e1207 * _e434));
+                                                    let _e1214 = (_e1210 * _e1200);
+                                                    let _e1215 = (_e1213 * _e1197);
+                                                    let _e1216 = (_e1184 * _e1213);
+                                                    let _e1217 = (_e1187 * _e1210);
+                                                    let _e1218 = (_e1197 * _e1187);
+                                                    let _e1219 = (_e1200 * _e1184);
+                                                    let _e1224 = (((_e1214 >= _e1215) && (_e1216 >= _e1217)) && (_e1218 >= _e1219));
+                                                    if (_e1224 || (((_e1214 <= _e1215) && (_e1216 <= _e1217)) && (_e1218 <= _e1219))) {
+                                                        let _e1231 = select(-1f, 1f, _e1224);
+                                                        let _e1233 = ((_e1214 - _e1215) * _e1231);
+                                                        let _e1235 = select(0f, _e1233, (_e1233 > 0f));
+                                                        let _e1237 = ((_e1216 - _e1217) * _e1231);
+                                                        let _e1239 = select(0f, _e1237, (_e1237 > 0f));
+                                                        let _e1241 = ((_e1218 - _e1219) * _e1231);
+                                                        let _e1243 = select(0f, _e1241, (_e1241 > 0f));
+                                                        let _e1245 = ((_e1235 + _e1239) + _e1243);
+                                                        if (_e1245 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2969_ = type_22();
                                                             phi_2970_ = true;
                                                             phi_2971_ = false;
                                                         } else {
-                                                            let _e1714 = select(_e1663, _e1650, (_e1650 < _e1663));
-                                                            if (select(_e1676, _e1714, (_e1714 < _e1676)) > 0f) {
+                                                            let _e1248 = select(_e1197, _e1184, (_e1184 < _e1197));
+                                                            if (select(_e1210, _e1248, (_e1248 < _e1210)) > 0f) {
                                                                 phi_2237_ = true;
                                                             } else {
-                                                                let _e1719 = select(_e1663, _e1650, (_e1650 > _e1663));
-                                                                phi_2237_ = (select(_e1676, _e1719, (_e1719 > _e1676)) < 0f);
+                                                                let _e1253 = select(_e1197, _e1184, (_e1184 > _e1197));
+                                                                phi_2237_ = (select(_e1210, _e1253, (_e1253 > _e1210)) < 0f);
                                                             }
-                                                            let _e1724 = phi_2237_;
-                                                            if _e1724 {
+                                                            let _e1258 = phi_2237_;
+                                                            if _e1258 {
                                                                 phi_2966_ = type_22();
                                                                 phi_2967_ = true;
                                                                 phi_2968_ = false;
                                                             } else {
-                                                                let _e1726 = select(_e1666, _e1653, (_e1653 < _e1666));
-                                                                if (select(_e1679, _e1726, (_e1726 < _e1679)) > 0f) {
+                                                                let _e1260 = select(_e1200, _e1187, (_e1187 < _e1200));
+                                                                if (select(_e1213, _e1260, (_e1260 < _e1213)) > 0f) {
                                                                     phi_2266_ = true;
                                                                 } else {
-                                                                    let _e1731 = select(_e1666, _e1653, (_e1653 > _e1666));
-                                                                    phi_2266_ = (select(_e1679, _e1731, (_e1731 > _e1679)) < 0f);
+                                                                    let _e1265 = select(_e1200, _e1187, (_e1187 > _e1200));
+                                                                    phi_2266_ = (select(_e1213, _e1265, (_e1265 > _e1213)) < 0f);
                                                                 }
-                                                                let _e1736 = phi_2266_;
-                                                                if _e1736 {
+                                                                let _e1270 = phi_2266_;
+                                                                if _e1270 {
                                                                     phi_2964_ = type_22();
                                                                     phi_2965_ = false;
                                                                 } else {
-                                                                    let _e1738 = select(_e1638[1][0], _e1638[0][0], (_e1638[0][0] < _e1638[1][0]));
-                                                                    let _e1742 = select(_e1638[1][0], _e1638[0][0], (_e1638[0][0] > _e1638[1][0]));
-                                                                    let _e1746 = select(_e1638[1][1], _e1638[0][1], (_e1638[0][1] < _e1638[1][1]));
-                                                                    let _e1750 = select(_e1638[1][1], _e1638[0][1], (_e1638[0][1] > _e1638[1][1]));
-                                                                    let _e1754 = select(_e1638[1][2], _e1638[0][2], (_e1638[0][2] < _e1638[1][2]));
-                                                                    let _e1758 = select(_e1638[1][2], _e1638[0][2], (_e1638[0][2] > _e1638[1][2]));
-                                                                    let _e1763 = ((select(_e1638[2][0], _e1738, (_e1738 < _e1638[2][0])) - _e366) * _e371);
-                                                                    let _e1764 = ((select(_e1638[2][0], _e1742, (_e1742 > _e1638[2][0])) - _e367) * _e371);
-                                                                    let _e1767 = ((select(_e1638[2][1], _e1746, (_e1746 < _e1638[2][1])) - _e432) * _e437);
-                                                                    let _e1768 = ((select(_e1638[2][1], _e1750, (_e1750 > _e1638[2][1])) - _e433) * _e437);
-                                                                    let _e1771 = ((select(_e1638[2][2], _e1754, (_e1754 < _e1638[2][2])) - _e498) * _e503);
-                                                                    let _e1772 = ((select(_e1638[2][2], _e1758, (_e1758 > _e1638[2][2])) - _e499) * _e503);
-                                                                    let _e1774 = select(_e1772, _e1771, (_e1771 < _e1772));
-                                                                    let _e1776 = select(_e1772, _e1771, (_e1771 > _e1772));
-                                                                    let _e1778 = select(_e1764, _e1763, (_e1763 < _e1764));
-                                                                    let _e1780 = select(_e1768, _e1767, (_e1767 < _e1768));
-                                                                    let _e1782 = select(_e1780, _e1778, (_e1778 > _e1780));
-                                                                    let _e1784 = select(_e1774, _e1782, (_e1782 > _e1774));
-                                                                    let _e1786 = select(_e1764, _e1763, (_e1763 > _e1764));
-                                                                    let _e1788 = select(_e1768, _e1767, (_e1767 > _e1768));
-                                                                    let _e1790 = select(_e1788, _e1786, (_e1786 < _e1788));
-                                                                    let _e1792 = select(_e1776, _e1790, (_e1790 < _e1776));
-                                                                    let _e1793 = -(_e1774);
-                                                                    let _e1799 = select(_e614, _e1784, (_e1784 > _e614));
-                                                                    if (_e1799 > (_e1792 + (select(_e1793, _e1776, (_e1776 > _e1793)) * 0.0000019073523f))) {
+                                                                    let _e1272 = select(_e1172[1][0], _e1172[0][0], (_e1172[0][0] < _e1172[1][0]));
+                                                                    let _e1276 = select(_e1172[1][0], _e1172[0][0], (_e1172[0][0] > _e1172[1][0]));
+                                                                    let _e1280 = select(_e1172[1][1], _e1172[0][1], (_e1172[0][1] < _e1172[1][1]));
+                                                                    let _e1284 = select(_e1172[1][1], _e1172[0][1], (_e1172[0][1] > _e1172[1][1]));
+                                                                    let _e1288 = select(_e1172[1][2], _e1172[0][2], (_e1172[0][2] < _e1172[1][2]));
+                                                                    let _e1292 = select(_e1172[1][2], _e1172[0][2], (_e1172[0][2] > _e1172[1][2]));
+                                                                    let _e1297 = ((select(_e1172[2][0], _e1272, (_e1272 < _e1172[2][0])) - _e366) * _e371);
+                                                                    let _e1298 = ((select(_e1172[2][0], _e1276, (_e1276 > _e1172[2][0])) - _e367) * _e371);
+                                                                    let _e1301 = ((select(_e1172[2][1], _e1280, (_e1280 < _e1172[2][1])) - _e432) * _e437);
+                                                                    let _e1302 = ((select(_e1172[2][1], _e1284, (_e1284 > _e1172[2][1])) - _e433) * _e437);
+                                                                    let _e1305 = ((select(_e1172[2][2], _e1288, (_e1288 < _e1172[2][2])) - _e498) * _e503);
+                                                                    let _e1306 = ((select(_e1172[2][2], _e1292, (_e1292 > _e1172[2][2])) - _e499) * _e503);
+                                                                    let _e1308 = select(_e1306, _e1305, (_e1305 < _e1306));
+                                                                    let _e1310 = select(_e1306, _e1305, (_e1305 > _e1306));
+                                                                    let _e1312 = select(_e1298, _e1297, (_e1297 < _e1298));
+                                                                    let _e1314 = select(_e1302, _e1301, (_e1301 < _e1302));
+                                                                    let _e1316 = select(_e1314, _e1312, (_e1312 > _e1314));
+                                                                    let _e1318 = select(_e1308, _e1316, (_e1316 > _e1308));
+                                                                    let _e1320 = select(_e1298, _e1297, (_e1297 > _e1298));
+                                                                    let _e1322 = select(_e1302, _e1301, (_e1301 > _e1302));
+                                                                    let _e1324 = select(_e1322, _e1320, (_e1320 < _e1322));
+                                                                    let _e1326 = select(_e1310, _e1324, (_e1324 < _e1310));
+                                                                    let _e1327 = -(_e1308);
+                                                                    let _e1333 = select(_e614, _e1318, (_e1318 > _e614));
+                                                                    if (_e1333 > (_e1326 + (select(_e1327, _e1310, (_e1310 > _e1327)) * 0.0000019073523f))) {
                                                                         phi_2959_ = type_22();
                                                                         phi_2960_ = true;
                                                                     } else {
-                                                                        let _e1801 = (_e1799 > _e1185.member.member_1);
-                                                                        if _e1801 {
+                                                                        let _e1335 = (_e1333 > _e719.member.member_1);
+                                                                        if _e1335 {
                                                                             phi_2958_ = type_22();
                                                                         } else {
-                                                                            let _e1802 = vec3<f32>(_e1638[0][0], _e1638[0][1], _e1638[0][2]);
-                                                                            let _e1803 = vec3<f32>(_e1638[1][0], _e1638[1][1], _e1638[1][2]);
-                                                                            let _e1804 = vec3<f32>(_e1638[2][0], _e1638[2][1], _e1638[2][2]);
-                                                                            let _e1805 = (_e1638[1][0] - _e1638[0][0]);
-                                                                            let _e1806 = (_e1638[1][1] - _e1638[0][1]);
-                                                                            let _e1807 = (_e1638[1][2] - _e1638[0][2]);
-                                                                            let _e1808 = vec3<f32>(_e1805, _e1806, _e1807);
-                                                                            let _e1809 = (_e1638[2][0] - _e1638[1][0]);
-                                                                            let _e1810 = (_e1638[2][1] - _e1638[1][1]);
-                                                                            let _e1811 = (_e1638[2][2] - _e1638[1][2]);
-                                                                            let _e1812 = vec3<f32>(_e1809, _e1810, _e1811);
-                                                                            let _e1813 = (_e1638[0][0] - _e1638[2][0]);
-                                                                            let _e1814 = (_e1638[0][1] - _e1638[2][1]);
-                                                                            let _e1815 = (_e1638[0][2] - _e1638[2][2]);
-                                                                            let _e1816 = vec3<f32>(_e1813, _e1814, _e1815);
-                                                                            let _e1819 = bitcast<f32>((bitcast<u32>(_e1805) & 2147483647u));
-                                                                            let _e1822 = bitcast<f32>((bitcast<u32>(_e1806) & 2147483647u));
-                                                                            let _e1824 = select(_e1822, _e1819, (_e1819 > _e1822));
-                                                                            let _e1827 = bitcast<f32>((bitcast<u32>(_e1807) & 2147483647u));
-                                                                            let _e1829 = select(_e1827, _e1824, (_e1824 > _e1827));
-                                                                            let _e1832 = bitcast<f32>((bitcast<u32>(_e1809) & 2147483647u));
-                                                                            let _e1835 = bitcast<f32>((bitcast<u32>(_e1810) & 2147483647u));
-                                                                            let _e1837 = select(_e1835, _e1832, (_e1832 > _e1835));
-                                                                            let _e1840 = bitcast<f32>((bitcast<u32>(_e1811) & 2147483647u));
-                                                                            let _e1842 = select(_e1840, _e1837, (_e1837 > _e1840));
-                                                                            let _e1845 = bitcast<f32>((bitcast<u32>(_e1813) & 2147483647u));
-                                                                            let _e1848 = bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u));
-                                                                            let _e1850 = select(_e1848, _e1845, (_e1845 > _e1848));
-                                                                            let _e1853 = bitcast<f32>((bitcast<u32>(_e1815) & 2147483647u));
-                                                                            let _e1855 = select(_e1853, _e1850, (_e1850 > _e1853));
-                                                                            let _e1857 = select(_e1842, _e1829, (_e1829 > _e1842));
-                                                                            let _e1859 = select(_e1855, _e1857, (_e1857 > _e1855));
-                                                                            if (_e1829 == _e1859) {
-                                                                                phi_2685_ = _e1666;
-                                                                                phi_2686_ = _e1663;
-                                                                                phi_2687_ = _e1653;
-                                                                                phi_2688_ = _e1650;
-                                                                                phi_2689_ = _e1802;
-                                                                                phi_2690_ = _e1816;
-                                                                                phi_2691_ = _e1812;
-                                                                                phi_2692_ = _e1808;
+                                                                            let _e1336 = vec3<f32>(_e1172[0][0], _e1172[0][1], _e1172[0][2]);
+                                                                            let _e1337 = vec3<f32>(_e1172[1][0], _e1172[1][1], _e1172[1][2]);
+                                                                            let _e1338 = vec3<f32>(_e1172[2][0], _e1172[2][1], _e1172[2][2]);
+                                                                            let _e1339 = (_e1172[1][0] - _e1172[0][0]);
+                                                                            let _e1340 = (_e1172[1][1] - _e1172[0][1]);
+                                                                            let _e1341 = (_e1172[1][2] - _e1172[0][2]);
+                                                                            let _e1342 = vec3<f32>(_e1339, _e1340, _e1341);
+                                                                            let _e1343 = (_e1172[2][0] - _e1172[1][0]);
+                                                                            let _e1344 = (_e1172[2][1] - _e1172[1][1]);
+                                                                            let _e1345 = (_e1172[2][2] - _e1172[1][2]);
+                                                                            let _e1346 = vec3<f32>(_e1343, _e1344, _e1345);
+                                                                            let _e1347 = (_e1172[0][0] - _e1172[2][0]);
+                                                                            let _e1348 = (_e1172[0][1] - _e1172[2][1]);
+                                                                            let _e1349 = (_e1172[0][2] - _e1172[2][2]);
+                                                                            let _e1350 = vec3<f32>(_e1347, _e1348, _e1349);
+                                                                            let _e1353 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
+                                                                            let _e1356 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
+                                                                            let _e1358 = select(_e1356, _e1353, (_e1353 > _e1356));
+                                                                            let _e1361 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
+                                                                            let _e1363 = select(_e1361, _e1358, (_e1358 > _e1361));
+                                                                            let _e1366 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
+                                                                            let _e1369 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
+                                                                            let _e1371 = select(_e1369, _e1366, (_e1366 > _e1369));
+                                                                            let _e1374 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
+                                                                            let _e1376 = select(_e1374, _e1371, (_e1371 > _e1374));
+                                                                            let _e1379 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
+                                                                            let _e1382 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
+                                                                            let _e1384 = select(_e1382, _e1379, (_e1379 > _e1382));
+                                                                            let _e1387 = bitcast<f32>((bitcast<u32>(_e1349) & 2147483647u));
+                                                                            let _e1389 = select(_e1387, _e1384, (_e1384 > _e1387));
+                                                                            let _e1391 = select(_e1376, _e1363, (_e1363 > _e1376));
+                                                                            let _e1393 = select(_e1389, _e1391, (_e1391 > _e1389));
+                                                                            if (_e1363 == _e1393) {
+                                                                                phi_2685_ = _e1200;
+                                                                                phi_2686_ = _e1197;
+                                                                                phi_2687_ = _e1187;
+                                                                                phi_2688_ = _e1184;
+                                                                                phi_2689_ = _e1336;
+                                                                                phi_2690_ = _e1350;
+                                                                                phi_2691_ = _e1346;
+                                                                                phi_2692_ = _e1342;
                                                                             } else {
-                                                                                let _e1861 = (_e1842 == _e1859);
-                                                                                let _e1866 = vec3(_e1861);
-                                                                                phi_2685_ = select(_e1653, _e1679, _e1861);
-                                                                                phi_2686_ = select(_e1650, _e1676, _e1861);
-                                                                                phi_2687_ = select(_e1679, _e1666, _e1861);
-                                                                                phi_2688_ = select(_e1676, _e1663, _e1861);
-                                                                                phi_2689_ = select(_e1804, _e1803, _e1866);
-                                                                                phi_2690_ = select(_e1812, _e1808, _e1866);
-                                                                                phi_2691_ = select(_e1808, _e1816, _e1866);
-                                                                                phi_2692_ = select(_e1816, _e1812, _e1866);
+                                                                                let _e1395 = (_e1376 == _e1393);
+                                                                                let _e1400 = vec3(_e1395);
+                                                                                phi_2685_ = select(_e1187, _e1213, _e1395);
+                                                                                phi_2686_ = select(_e1184, _e1210, _e1395);
+                                                                                phi_2687_ = select(_e1213, _e1200, _e1395);
+                                                                                phi_2688_ = select(_e1210, _e1197, _e1395);
+                                                                                phi_2689_ = select(_e1338, _e1337, _e1400);
+                                                                                phi_2690_ = select(_e1346, _e1342, _e1400);
+                                                                                phi_2691_ = select(_e1342, _e1350, _e1400);
+                                                                                phi_2692_ = select(_e1350, _e1346, _e1400);
                                                                             }
-                                                                            let _e1872 = phi_2685_;
-                                                                            let _e1874 = phi_2686_;
-                                                                            let _e1876 = phi_2687_;
-                                                                            let _e1878 = phi_2688_;
-                                                                            let _e1880 = phi_2689_;
-                                                                            let _e1882 = phi_2690_;
-                                                                            let _e1884 = phi_2691_;
-                                                                            let _e1886 = phi_2692_;
-                                                                            let _e1893 = ((_e1884.y * _e1882.z) - (_e1882.y * _e1884.z));
-                                                                            let _e1898 = ((_e1884.z * _e1882.x) - (_e1882.z * _e1884.x));
-                                                                            let _e1901 = ((_e1884.x * _e1882.y) - (_e1882.x * _e1884.y));
-                                                                            if (_e1701 >= _e1705) {
-                                                                                phi_2729_ = select(true, false, (_e1701 >= _e1709));
+                                                                            let _e1406 = phi_2685_;
+                                                                            let _e1408 = phi_2686_;
+                                                                            let _e1410 = phi_2687_;
+                                                                            let _e1412 = phi_2688_;
+                                                                            let _e1414 = phi_2689_;
+                                                                            let _e1416 = phi_2690_;
+                                                                            let _e1418 = phi_2691_;
+                                                                            let _e1420 = phi_2692_;
+                                                                            let _e1427 = ((_e1418.y * _e1416.z) - (_e1416.y * _e1418.z));
+                                                                            let _e1432 = ((_e1418.z * _e1416.x) - (_e1416.z * _e1418.x));
+                                                                            let _e1435 = ((_e1418.x * _e1416.y) - (_e1416.x * _e1418.y));
+                                                                            if (_e1235 >= _e1239) {
+                                                                                phi_2729_ = select(true, false, (_e1235 >= _e1243));
                                                                             } else {
                                                                                 phi_2729_ = true;
                                                                             }
-                                                                            let _e1906 = phi_2729_;
-                                                                            if _e1906 {
-                                                                                phi_2738_ = select(_e1804, _e1803, vec3((_e1705 >= _e1709)));
+                                                                            let _e1440 = phi_2729_;
+                                                                            if _e1440 {
+                                                                                phi_2738_ = select(_e1338, _e1337, vec3((_e1239 >= _e1243)));
                                                                             } else {
-                                                                                phi_2738_ = _e1802;
+                                                                                phi_2738_ = _e1336;
                                                                             }
-                                                                            let _e1911 = phi_2738_;
-                                                                            let _e1922 = (((_e1893 * (_e1911.x - _e328)) + (_e1898 * (_e1911.y - _e395))) + (_e1901 * (_e1911.z - _e461)));
-                                                                            let _e1927 = (((_e1893 * _e368) + (_e1898 * _e434)) + (_e1901 * _e500));
-                                                                            let _e1928 = (_e1874 - _e1878);
-                                                                            let _e1929 = (_e1872 - _e1876);
-                                                                            let _e1937 = (-(((_e1878 * _e1928) + (_e1876 * _e1929))) / ((_e1928 * _e1928) + (_e1929 * _e1929)));
-                                                                            let _e1939 = select(1f, _e1937, (_e1937 < 1f));
-                                                                            let _e1941 = select(0f, _e1939, (_e1939 > 0f));
-                                                                            let _e1954 = ((_e1880.x + (_e1886.x * _e1941)) - _e328);
-                                                                            let _e1955 = ((_e1880.y + (_e1886.y * _e1941)) - _e395);
-                                                                            let _e1956 = ((_e1880.z + (_e1886.z * _e1941)) - _e461);
-                                                                            let _e1957 = (_e1956 / _e500);
-                                                                            let _e1969 = bitcast<f32>((bitcast<u32>(_e1954) & 2147483647u));
-                                                                            let _e1972 = bitcast<f32>((bitcast<u32>(_e1955) & 2147483647u));
-                                                                            let _e1974 = select(_e1972, _e1969, (_e1969 > _e1972));
-                                                                            let _e1977 = bitcast<f32>((bitcast<u32>(_e1956) & 2147483647u));
-                                                                            let _e1979 = select(_e1977, _e1974, (_e1974 > _e1977));
-                                                                            let _e1985 = bitcast<f32>((bitcast<u32>(_e1893) & 2147483647u));
-                                                                            let _e1988 = bitcast<f32>((bitcast<u32>(_e1898) & 2147483647u));
-                                                                            let _e1990 = select(_e1988, _e1985, (_e1985 > _e1988));
-                                                                            let _e1993 = bitcast<f32>((bitcast<u32>(_e1901) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1893 * _e1954) + (_e1898 * _e1955)) + (_e1901 * _e1956)) - _e1922)) & 2147483647u)) <= ((0.0000009536743f * select(_e1859, _e1979, (_e1979 > _e1859))) * select(_e1993, _e1990, (_e1990 > _e1993)))) {
-                                                                                let _e2003 = bitcast<f32>((bitcast<u32>(_e1884.x) & 2147483647u));
-                                                                                let _e2006 = bitcast<f32>((bitcast<u32>(_e1884.y) & 2147483647u));
-                                                                                let _e2008 = select(_e2006, _e2003, (_e2003 > _e2006));
-                                                                                let _e2011 = bitcast<f32>((bitcast<u32>(_e1884.z) & 2147483647u));
-                                                                                let _e2017 = bitcast<f32>((bitcast<u32>(_e1882.x) & 2147483647u));
-                                                                                let _e2020 = bitcast<f32>((bitcast<u32>(_e1882.y) & 2147483647u));
-                                                                                let _e2022 = select(_e2020, _e2017, (_e2017 > _e2020));
-                                                                                let _e2025 = bitcast<f32>((bitcast<u32>(_e1882.z) & 2147483647u));
-                                                                                let _e2029 = (bitcast<f32>((bitcast<u32>(_e1927) & 2147483647u)) > ((0.0000038146973f * select(_e2011, _e2008, (_e2008 > _e2011))) * select(_e2025, _e2022, (_e2022 > _e2025))));
-                                                                                if _e2029 {
-                                                                                    phi_2903_ = (_e1922 / _e1927);
+                                                                            let _e1445 = phi_2738_;
+                                                                            let _e1456 = (((_e1427 * (_e1445.x - _e328)) + (_e1432 * (_e1445.y - _e395))) + (_e1435 * (_e1445.z - _e461)));
+                                                                            let _e1461 = (((_e1427 * _e368) + (_e1432 * _e434)) + (_e1435 * _e500));
+                                                                            let _e1462 = (_e1408 - _e1412);
+                                                                            let _e1463 = (_e1406 - _e1410);
+                                                                            let _e1471 = (-(((_e1412 * _e1462) + (_e1410 * _e1463))) / ((_e1462 * _e1462) + (_e1463 * _e1463)));
+                                                                            let _e1473 = select(1f, _e1471, (_e1471 < 1f));
+                                                                            let _e1475 = select(0f, _e1473, (_e1473 > 0f));
+                                                                            let _e1488 = ((_e1414.x + (_e1420.x * _e1475)) - _e328);
+                                                                            let _e1489 = ((_e1414.y + (_e1420.y * _e1475)) - _e395);
+                                                                            let _e1490 = ((_e1414.z + (_e1420.z * _e1475)) - _e461);
+                                                                            let _e1491 = (_e1490 / _e500);
+                                                                            let _e1503 = bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u));
+                                                                            let _e1506 = bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u));
+                                                                            let _e1508 = select(_e1506, _e1503, (_e1503 > _e1506));
+                                                                            let _e1511 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
+                                                                            let _e1513 = select(_e1511, _e1508, (_e1508 > _e1511));
+                                                                            let _e1519 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                                            let _e1522 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                                            let _e1524 = select(_e1522, _e1519, (_e1519 > _e1522));
+                                                                            let _e1527 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1427 * _e1488) + (_e1432 * _e1489)) + (_e1435 * _e1490)) - _e1456)) & 2147483647u)) <= ((0.0000009536743f * select(_e1393, _e1513, (_e1513 > _e1393))) * select(_e1527, _e1524, (_e1524 > _e1527)))) {
+                                                                                let _e1537 = bitcast<f32>((bitcast<u32>(_e1418.x) & 2147483647u));
+                                                                                let _e1540 = bitcast<f32>((bitcast<u32>(_e1418.y) & 2147483647u));
+                                                                                let _e1542 = select(_e1540, _e1537, (_e1537 > _e1540));
+                                                                                let _e1545 = bitcast<f32>((bitcast<u32>(_e1418.z) & 2147483647u));
+                                                                                let _e1551 = bitcast<f32>((bitcast<u32>(_e1416.x) & 2147483647u));
+                                                                                let _e1554 = bitcast<f32>((bitcast<u32>(_e1416.y) & 2147483647u));
+                                                                                let _e1556 = select(_e1554, _e1551, (_e1551 > _e1554));
+                                                                                let _e1559 = bitcast<f32>((bitcast<u32>(_e1416.z) & 2147483647u));
+                                                                                let _e1563 = (bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u)) > ((0.0000038146973f * select(_e1545, _e1542, (_e1542 > _e1545))) * select(_e1559, _e1556, (_e1556 > _e1559))));
+                                                                                if _e1563 {
+                                                                                    phi_2903_ = (_e1456 / _e1461);
                                                                                 } else {
                                                                                     phi_2903_ = f32();
                                                                                 }
-                                                                                let _e2032 = phi_2903_;
-                                                                                phi_2905_ = _e2032;
-                                                                                phi_2906_ = select(true, false, _e2029);
+                                                                                let _e1566 = phi_2903_;
+                                                                                phi_2905_ = _e1566;
+                                                                                phi_2906_ = select(true, false, _e1563);
                                                                             } else {
                                                                                 phi_2905_ = f32();
                                                                                 phi_2906_ = true;
                                                                             }
-                                                                            let _e2035 = phi_2905_;
-                                                                            let _e2037 = phi_2906_;
-                                                                            if _e2037 {
-                                                                                let _e2045 = (((_e1893 * (_e1954 - (_e368 * _e1957))) + (_e1898 * (_e1955 - (_e434 * _e1957)))) / _e1927);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e2045) & 2147483647u)) <= _e1859) {
-                                                                                    phi_2926_ = (_e1957 + _e2045);
+                                                                            let _e1569 = phi_2905_;
+                                                                            let _e1571 = phi_2906_;
+                                                                            if _e1571 {
+                                                                                let _e1579 = (((_e1427 * (_e1488 - (_e368 * _e1491))) + (_e1432 * (_e1489 - (_e434 * _e1491)))) / _e1461);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u)) <= _e1393) {
+                                                                                    phi_2926_ = (_e1491 + _e1579);
                                                                                 } else {
-                                                                                    phi_2926_ = _e1957;
+                                                                                    phi_2926_ = _e1491;
                                                                                 }
-                                                                                let _e2052 = phi_2926_;
-                                                                                phi_2927_ = _e2052;
+                                                                                let _e1586 = phi_2926_;
+                                                                                phi_2927_ = _e1586;
                                                                             } else {
-                                                                                phi_2927_ = _e2035;
+                                                                                phi_2927_ = _e1569;
                                                                             }
-                                                                            let _e2054 = phi_2927_;
-                                                                            let _e2056 = select(_e1792, _e2054, (_e2054 < _e1792));
-                                                                            let _e2058 = select(_e1784, _e2056, (_e2056 > _e1784));
-                                                                            if (_e2058 >= _e614) {
-                                                                                let _e2060 = (_e2058 <= _e1185.member.member_1);
-                                                                                if _e2060 {
-                                                                                    let _e2061 = (1f / _e1711);
-                                                                                    phi_2950_ = type_22(_e2058, (_e1705 * _e2061), (_e1709 * _e2061), _e1251);
+                                                                            let _e1588 = phi_2927_;
+                                                                            let _e1590 = select(_e1326, _e1588, (_e1588 < _e1326));
+                                                                            let _e1592 = select(_e1318, _e1590, (_e1590 > _e1318));
+                                                                            if (_e1592 >= _e614) {
+                                                                                let _e1594 = (_e1592 <= _e719.member.member_1);
+                                                                                if _e1594 {
+                                                                                    let _e1595 = (1f / _e1245);
+                                                                                    phi_2950_ = type_22(_e1592, (_e1239 * _e1595), (_e1243 * _e1595), _e785);
                                                                                 } else {
                                                                                     phi_2950_ = type_22();
                                                                                 }
-                                                                                let _e2066 = phi_2950_;
-                                                                                phi_2952_ = _e2066;
-                                                                                phi_2953_ = select(true, false, _e2060);
+                                                                                let _e1600 = phi_2950_;
+                                                                                phi_2952_ = _e1600;
+                                                                                phi_2953_ = select(true, false, _e1594);
                                                                             } else {
                                                                                 phi_2952_ = type_22();
                                                                                 phi_2953_ = true;
                                                                             }
-                                                                            let _e2069 = phi_2952_;
-                                                                            let _e2071 = phi_2953_;
-                                                                            if _e2071 {
+                                                                            let _e1603 = phi_2952_;
+                                                                            let _e1605 = phi_2953_;
+                                                                            if _e1605 {
                                                                                 phi_2957_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2957_ = _e2069;
+                                                                                phi_2957_ = _e1603;
                                                                             }
-                                                                            let _e2073 = phi_2957_;
-                                                                            phi_2958_ = _e2073;
+                                                                            let _e1607 = phi_2957_;
+                                                                            phi_2958_ = _e1607;
                                                                         }
-                                                                        let _e2075 = phi_2958_;
-                                                                        phi_2959_ = _e2075;
-                                                                        phi_2960_ = _e1801;
+                                                                        let _e1609 = phi_2958_;
+                                                                        phi_2959_ = _e1609;
+                                                                        phi_2960_ = _e1335;
                                                                     }
-                                                                    let _e2077 = phi_2959_;
-                                                                    let _e2079 = phi_2960_;
-                                                                    phi_2964_ = _e2077;
-                                                                    phi_2965_ = _e2079;
+                                                                    let _e1611 = phi_2959_;
+                                                                    let _e1613 = phi_2960_;
+                                                                    phi_2964_ = _e1611;
+                                                                    phi_2965_ = _e1613;
                                                                 }
-                                                                let _e2081 = phi_2964_;
-                                                                let _e2083 = phi_2965_;
-                                                                phi_2966_ = _e2081;
-                                                                phi_2967_ = _e1736;
-                                                                phi_2968_ = _e2083;
+                                                                let _e1615 = phi_2964_;
+                                                                let _e1617 = phi_2965_;
+                                                                phi_2966_ = _e1615;
+                                                                phi_2967_ = _e1270;
+                                                                phi_2968_ = _e1617;
                                                             }
-                                                            let _e2085 = phi_2966_;
-                                                            let _e2087 = phi_2967_;
-                                                            let _e2089 = phi_2968_;
-                                                            phi_2969_ = _e2085;
-                                                            phi_2970_ = _e2087;
-                                                            phi_2971_ = _e2089;
+                                                            let _e1619 = phi_2966_;
+                                                            let _e1621 = phi_2967_;
+                                                            let _e1623 = phi_2968_;
+                                                            phi_2969_ = _e1619;
+                                                            phi_2970_ = _e1621;
+                                                            phi_2971_ = _e1623;
                                                         }
-                                                        let _e2091 = phi_2969_;
-                                                        let _e2093 = phi_2970_;
-                                                        let _e2095 = phi_2971_;
-                                                        phi_2979_ = _e2091;
-                                                        phi_2980_ = select(_e2095, true, _e2093);
+                                                        let _e1625 = phi_2969_;
+                                                        let _e1627 = phi_2970_;
+                                                        let _e1629 = phi_2971_;
+                                                        phi_2979_ = _e1625;
+                                                        phi_2980_ = select(_e1629, true, _e1627);
                                                     } else {
                                                         phi_2979_ = type_22();
                                                         phi_2980_ = true;
                                                     }
-                                                    let _e2098 = phi_2979_;
-                                                    let _e2100 = phi_2980_;
-                                                    if _e2100 {
+                                                    let _e1632 = phi_2979_;
+                                                    let _e1634 = phi_2980_;
+                                                    if _e1634 {
                                                         phi_2984_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2984_ = _e2098;
+                                                        phi_2984_ = _e1632;
                                                     }
-                                                    let _e2102 = phi_2984_;
-                                                    if (_e2102.member_3 != 4294967295u) {
-                                                        if (_e1251 != _e620) {
-                                                            if (_e2102.member < _e1185.member.member.member) {
+                                                    let _e1636 = phi_2984_;
+                                                    if (_e1636.member_3 != 4294967295u) {
+                                                        if (_e785 != _e620) {
+                                                            if (_e1636.member < _e719.member.member.member) {
                                                                 phi_3010_ = true;
                                                             } else {
-                                                                if (_e2102.member == _e1185.member.member.member) {
-                                                                    phi_3009_ = (_e2102.member_3 < _e1185.member.member.member_3);
+                                                                if (_e1636.member == _e719.member.member.member) {
+                                                                    phi_3009_ = (_e1636.member_3 < _e719.member.member.member_3);
                                                                 } else {
                                                                     phi_3009_ = false;
                                                                 }
-                                                                let _e2117 = phi_3009_;
-                                                                phi_3010_ = _e2117;
+                                                                let _e1651 = phi_3009_;
+                                                                phi_3010_ = _e1651;
                                                             }
-                                                            let _e2119 = phi_3010_;
-                                                            if _e2119 {
-                                                                phi_3017_ = type_42(type_39(_e2102, _e2102.member), _e1212.member_1, _e1212.member_2);
+                                                            let _e1653 = phi_3010_;
+                                                            if _e1653 {
+                                                                phi_3017_ = type_42(type_39(_e1636, _e1636.member), _e746.member_1, _e746.member_2);
                                                             } else {
-                                                                phi_3017_ = _e1212;
+                                                                phi_3017_ = _e746;
                                                             }
-                                                            let _e2126 = phi_3017_;
-                                                            phi_3018_ = _e2126;
+                                                            let _e1660 = phi_3017_;
+                                                            phi_3018_ = _e1660;
                                                         } else {
-                                                            phi_3018_ = _e1212;
+                                                            phi_3018_ = _e746;
                                                         }
-                                                        let _e2128 = phi_3018_;
-                                                        phi_3019_ = _e2128;
+                                                        let _e1662 = phi_3018_;
+                                                        phi_3019_ = _e1662;
                                                     } else {
-                                                        phi_3019_ = _e1212;
+                                                        phi_3019_ = _e746;
                                                     }
-                                                    let _e2130 = phi_3019_;
-                                                    phi_1319_ = _e2130;
+                                                    let _e1664 = phi_3019_;
+                                                    phi_1319_ = _e1664;
                                                 } else {
                                                     phi_1319_ = type_42();
                                                 }
-                                                let _e2132 = phi_1319_;
+                                                let _e1666 = phi_1319_;
                                                 continue;
                                                 continuing {
-                                                    phi_1318_ = _e2132;
-                                                    phi_1321_ = _e1200;
-                                                    phi_4777_ = _e661;
-                                                    break if !(_e1206);
+                                                    phi_1318_ = _e1666;
+                                                    phi_1321_ = _e734;
+                                                    phi_4783_ = _e661;
+                                                    break if !(_e740);
                                                 }
                                             }
-                                            let _e2135 = phi_4777_;
-                                            phi_4984_ = _e2135;
-                                            if _e2135 {
+                                            let _e1669 = phi_4783_;
+                                            phi_4990_ = _e1669;
+                                            if _e1669 {
                                                 break;
                                             }
-                                            phi_4988_ = _e2135;
-                                            let _e2504 = local_12;
-                                            phi_4294_ = _e2504;
-                                            phi_4295_ = false;
-                                            phi_4296_ = _e705;
-                                            phi_4297_ = _e707;
+                                            phi_5081_ = _e1669;
+                                            let _e2491 = local_12;
+                                            phi_3020_ = _e2491;
+                                        } else {
+                                            phi_5081_ = _e661;
+                                            phi_3020_ = _e663;
+                                        }
+                                        let _e1671 = phi_5081_;
+                                        let _e1673 = phi_3020_;
+                                        if _e711 {
+                                            phi_4289_ = type_42();
+                                            phi_4290_ = bool();
+                                            phi_4291_ = u32();
+                                            phi_4292_ = type_49();
                                         } else {
                                             if (_e707.member_1 >= _e100) {
-                                                phi_3825_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                                phi_3821_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
                                                 if (_e707.member_1 < _e100) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e720 = ((1u + _e281) % 4u);
-                                                if (_e720 < 4u) {
+                                                let _e1677 = ((1u + _e281) % 4u);
+                                                if (_e1677 < 4u) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e725 = global_3.member[_e707.member_1][_e720];
-                                                let _e727 = (_e725 >> bitcast<u32>(11u));
-                                                let _e729 = ((1u + _e280) % 4u);
-                                                if (_e729 < 4u) {
+                                                let _e1682 = global_3.member[_e707.member_1][_e1677];
+                                                let _e1684 = (_e1682 >> bitcast<u32>(11u));
+                                                let _e1686 = ((1u + _e280) % 4u);
+                                                if (_e1686 < 4u) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e734 = global_3.member[_e707.member_1][_e729];
-                                                let _e736 = (_e734 >> bitcast<u32>(11u));
-                                                let _e738 = ((1u + _e282) % 4u);
-                                                if (_e738 < 4u) {
+                                                let _e1691 = global_3.member[_e707.member_1][_e1686];
+                                                let _e1693 = (_e1691 >> bitcast<u32>(11u));
+                                                let _e1695 = ((1u + _e282) % 4u);
+                                                if (_e1695 < 4u) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e743 = global_3.member[_e707.member_1][_e738];
-                                                let _e745 = (_e743 >> bitcast<u32>(11u));
-                                                let _e768 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.x - _e707.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e769 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.y - _e707.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e770 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.z - _e707.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e772 = select(_e155, _e768, (_e768 > _e155));
-                                                let _e774 = select(_e155, _e769, (_e769 > _e155));
-                                                let _e776 = select(_e155, _e770, (_e770 > _e155));
-                                                let _e807 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 1023u))) - 8388608f) * _e772));
-                                                let _e812 = (bitcast<i32>((_e725 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e815 = bitcast<f32>((_e807 & bitcast<u32>(_e812)));
-                                                let _e816 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e734 & 1023u))) - 8388608f) * _e774));
-                                                let _e821 = (bitcast<i32>((_e734 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e824 = bitcast<f32>((_e816 & bitcast<u32>(_e821)));
-                                                let _e825 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e743 & 1023u))) - 8388608f) * _e776));
-                                                let _e830 = (bitcast<i32>((_e743 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e833 = bitcast<f32>((_e825 & bitcast<u32>(_e830)));
-                                                let _e837 = bitcast<f32>((_e807 & bitcast<u32>(~(_e812))));
-                                                let _e841 = bitcast<f32>((_e816 & bitcast<u32>(~(_e821))));
-                                                let _e845 = bitcast<f32>((_e825 & bitcast<u32>(~(_e830))));
-                                                let _e846 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e727 & 1023u))) - 8388608f) * _e772));
-                                                let _e851 = (bitcast<i32>((_e727 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e854 = bitcast<f32>((_e846 & bitcast<u32>(_e851)));
-                                                let _e855 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e736 & 1023u))) - 8388608f) * _e774));
-                                                let _e860 = (bitcast<i32>((_e736 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e863 = bitcast<f32>((_e855 & bitcast<u32>(_e860)));
-                                                let _e864 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 1023u))) - 8388608f) * _e776));
-                                                let _e869 = (bitcast<i32>((_e745 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e872 = bitcast<f32>((_e864 & bitcast<u32>(_e869)));
-                                                let _e876 = bitcast<f32>((_e846 & bitcast<u32>(~(_e851))));
-                                                let _e880 = bitcast<f32>((_e855 & bitcast<u32>(~(_e860))));
-                                                let _e884 = bitcast<f32>((_e864 & bitcast<u32>(~(_e869))));
-                                                let _e885 = (_e707.member.member.x + _e815);
-                                                let _e886 = (_e707.member.member.y + _e824);
-                                                let _e887 = (_e707.member.member.z + _e833);
-                                                let _e890 = (_e707.member.member_1.x - _e854);
-                                                let _e891 = (_e707.member.member_1.y - _e863);
-                                                let _e892 = (_e707.member.member_1.z - _e872);
-                                                let _e911 = (_e890 - _e885);
-                                                let _e912 = (_e891 - _e886);
-                                                let _e913 = (_e892 - _e887);
-                                                let _e915 = select(_e912, _e911, (_e911 > _e912));
-                                                let _e917 = select(_e913, _e915, (_e915 > _e913));
-                                                if (_e917 < (1024f * _e155)) {
-                                                    phi_3526_ = 0u;
+                                                let _e1700 = global_3.member[_e707.member_1][_e1695];
+                                                let _e1702 = (_e1700 >> bitcast<u32>(11u));
+                                                let _e1725 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.x - _e707.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e1726 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.y - _e707.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e1727 = (bitcast<f32>((bitcast<u32>((_e707.member.member_1.z - _e707.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e1729 = select(_e155, _e1725, (_e1725 > _e155));
+                                                let _e1731 = select(_e155, _e1726, (_e1726 > _e155));
+                                                let _e1733 = select(_e155, _e1727, (_e1727 > _e155));
+                                                let _e1764 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1682 & 1023u))) - 8388608f) * _e1729));
+                                                let _e1769 = (bitcast<i32>((_e1682 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1772 = bitcast<f32>((_e1764 & bitcast<u32>(_e1769)));
+                                                let _e1773 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1691 & 1023u))) - 8388608f) * _e1731));
+                                                let _e1778 = (bitcast<i32>((_e1691 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1781 = bitcast<f32>((_e1773 & bitcast<u32>(_e1778)));
+                                                let _e1782 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1700 & 1023u))) - 8388608f) * _e1733));
+                                                let _e1787 = (bitcast<i32>((_e1700 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1790 = bitcast<f32>((_e1782 & bitcast<u32>(_e1787)));
+                                                let _e1794 = bitcast<f32>((_e1764 & bitcast<u32>(~(_e1769))));
+                                                let _e1798 = bitcast<f32>((_e1773 & bitcast<u32>(~(_e1778))));
+                                                let _e1802 = bitcast<f32>((_e1782 & bitcast<u32>(~(_e1787))));
+                                                let _e1803 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1684 & 1023u))) - 8388608f) * _e1729));
+                                                let _e1808 = (bitcast<i32>((_e1684 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1811 = bitcast<f32>((_e1803 & bitcast<u32>(_e1808)));
+                                                let _e1812 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1693 & 1023u))) - 8388608f) * _e1731));
+                                                let _e1817 = (bitcast<i32>((_e1693 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1820 = bitcast<f32>((_e1812 & bitcast<u32>(_e1817)));
+                                                let _e1821 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1702 & 1023u))) - 8388608f) * _e1733));
+                                                let _e1826 = (bitcast<i32>((_e1702 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1829 = bitcast<f32>((_e1821 & bitcast<u32>(_e1826)));
+                                                let _e1833 = bitcast<f32>((_e1803 & bitcast<u32>(~(_e1808))));
+                                                let _e1837 = bitcast<f32>((_e1812 & bitcast<u32>(~(_e1817))));
+                                                let _e1841 = bitcast<f32>((_e1821 & bitcast<u32>(~(_e1826))));
+                                                let _e1842 = (_e707.member.member.x + _e1772);
+                                                let _e1843 = (_e707.member.member.y + _e1781);
+                                                let _e1844 = (_e707.member.member.z + _e1790);
+                                                let _e1847 = (_e707.member.member_1.x - _e1811);
+                                                let _e1848 = (_e707.member.member_1.y - _e1820);
+                                                let _e1849 = (_e707.member.member_1.z - _e1829);
+                                                let _e1868 = (_e1847 - _e1842);
+                                                let _e1869 = (_e1848 - _e1843);
+                                                let _e1870 = (_e1849 - _e1844);
+                                                let _e1872 = select(_e1869, _e1868, (_e1868 > _e1869));
+                                                let _e1874 = select(_e1870, _e1872, (_e1872 > _e1870));
+                                                if (_e1874 < (1024f * _e155)) {
+                                                    phi_3522_ = 0u;
                                                 } else {
-                                                    phi_3526_ = select(2u, 1u, (_e917 < (2097152f * _e155)));
+                                                    phi_3522_ = select(2u, 1u, (_e1874 < (2097152f * _e155)));
                                                 }
-                                                let _e924 = phi_3526_;
-                                                switch bitcast<i32>(_e924) {
+                                                let _e1881 = phi_3522_;
+                                                switch bitcast<i32>(_e1881) {
                                                     case 0: {
-                                                        phi_3532_ = 1u;
+                                                        phi_3528_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3532_ = 2u;
+                                                        phi_3528_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3532_ = 3u;
+                                                        phi_3528_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3532_ = u32();
+                                                        phi_3528_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e927 = phi_3532_;
-                                                let _e933 = global_3.member[_e707.member_1][0u];
-                                                let _e937 = global_3.member[_e707.member_1][1u];
-                                                let _e941 = global_3.member[_e707.member_1][2u];
-                                                let _e945 = global_3.member[_e707.member_1][3u];
-                                                let _e957 = (((_e937 >> bitcast<u32>(22i)) | ((_e941 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e945 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e958 = (_e933 & 268435455u);
-                                                let _e959 = (_e957 & 268435455u);
-                                                let _e962 = ((_e933 >> bitcast<u32>(28u)) & 7u);
-                                                let _e970 = ((_e933 >> bitcast<u32>(31i)) | (((_e957 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e971 = (_e962 != 0u);
-                                                if (_e962 == 0u) {
-                                                    phi_3787_ = _e958;
+                                                let _e1884 = phi_3528_;
+                                                let _e1890 = global_3.member[_e707.member_1][0u];
+                                                let _e1894 = global_3.member[_e707.member_1][1u];
+                                                let _e1898 = global_3.member[_e707.member_1][2u];
+                                                let _e1902 = global_3.member[_e707.member_1][3u];
+                                                let _e1914 = (((_e1894 >> bitcast<u32>(22i)) | ((_e1898 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1902 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1915 = (_e1890 & 268435455u);
+                                                let _e1916 = (_e1914 & 268435455u);
+                                                let _e1919 = ((_e1890 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1927 = ((_e1890 >> bitcast<u32>(31i)) | (((_e1914 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1928 = (_e1919 != 0u);
+                                                if (_e1919 == 0u) {
+                                                    phi_3783_ = _e1915;
                                                 } else {
-                                                    if (_e962 == 7u) {
-                                                        phi_3786_ = 2147483648u;
+                                                    if (_e1919 == 7u) {
+                                                        phi_3782_ = 2147483648u;
                                                     } else {
-                                                        phi_3786_ = ((2147483648u | (_e962 << bitcast<u32>(28u))) | (_e959 & 268435455u));
+                                                        phi_3782_ = ((2147483648u | (_e1919 << bitcast<u32>(28u))) | (_e1916 & 268435455u));
                                                     }
-                                                    let _e980 = phi_3786_;
-                                                    phi_3787_ = _e980;
+                                                    let _e1937 = phi_3782_;
+                                                    phi_3783_ = _e1937;
                                                 }
-                                                let _e982 = phi_3787_;
-                                                if _e971 {
-                                                    let _e983 = (_e962 != 7u);
-                                                    if _e983 {
-                                                        phi_3797_ = (_e959 + (_e962 * ((3u * _e927) + 1u)));
+                                                let _e1939 = phi_3783_;
+                                                if _e1928 {
+                                                    let _e1940 = (_e1919 != 7u);
+                                                    if _e1940 {
+                                                        phi_3793_ = (_e1916 + (_e1919 * ((3u * _e1884) + 1u)));
                                                     } else {
-                                                        phi_3797_ = u32();
+                                                        phi_3793_ = u32();
                                                     }
-                                                    let _e987 = phi_3797_;
-                                                    phi_3799_ = _e987;
-                                                    phi_3800_ = select(true, false, _e983);
+                                                    let _e1944 = phi_3793_;
+                                                    phi_3795_ = _e1944;
+                                                    phi_3796_ = select(true, false, _e1940);
                                                 } else {
-                                                    phi_3799_ = u32();
-                                                    phi_3800_ = true;
+                                                    phi_3795_ = u32();
+                                                    phi_3796_ = true;
                                                 }
-                                                let _e990 = phi_3799_;
-                                                let _e992 = phi_3800_;
-                                                if (_e970 == 0u) {
-                                                    phi_3821_ = (_e958 + select(0u, 1u, !(_e971)));
+                                                let _e1947 = phi_3795_;
+                                                let _e1949 = phi_3796_;
+                                                if (_e1927 == 0u) {
+                                                    phi_3817_ = (_e1915 + select(0u, 1u, !(_e1928)));
                                                 } else {
-                                                    if (_e970 == 7u) {
-                                                        phi_3820_ = 2147483648u;
+                                                    if (_e1927 == 7u) {
+                                                        phi_3816_ = 2147483648u;
                                                     } else {
-                                                        phi_3820_ = ((2147483648u | (_e970 << bitcast<u32>(28u))) | (select(_e990, _e959, _e992) & 268435455u));
+                                                        phi_3816_ = ((2147483648u | (_e1927 << bitcast<u32>(28u))) | (select(_e1947, _e1916, _e1949) & 268435455u));
                                                     }
-                                                    let _e1005 = phi_3820_;
-                                                    phi_3821_ = _e1005;
+                                                    let _e1962 = phi_3816_;
+                                                    phi_3817_ = _e1962;
                                                 }
-                                                let _e1007 = phi_3821_;
-                                                phi_3825_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e885, (_e707.member.member.x + _e837), _e890, (_e707.member.member_1.x - _e876)), vec4<f32>(_e886, (_e707.member.member.y + _e841), _e891, (_e707.member.member_1.y - _e880)), vec4<f32>(_e887, (_e707.member.member.z + _e845), _e892, (_e707.member.member_1.z - _e884))), type_49(type_34((_e707.member.member + vec4<f32>(_e815, _e824, _e833, 0f)), (_e707.member.member_1 - vec4<f32>(_e854, _e863, _e872, 0f))), _e982), type_49(type_34((_e707.member.member + vec4<f32>(_e837, _e841, _e845, 0f)), (_e707.member.member_1 - vec4<f32>(_e876, _e880, _e884, 0f))), _e1007));
+                                                let _e1964 = phi_3817_;
+                                                phi_3821_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e1842, (_e707.member.member.x + _e1794), _e1847, (_e707.member.member_1.x - _e1833)), vec4<f32>(_e1843, (_e707.member.member.y + _e1798), _e1848, (_e707.member.member_1.y - _e1837)), vec4<f32>(_e1844, (_e707.member.member.z + _e1802), _e1849, (_e707.member.member_1.z - _e1841))), type_49(type_34((_e707.member.member + vec4<f32>(_e1772, _e1781, _e1790, 0f)), (_e707.member.member_1 - vec4<f32>(_e1811, _e1820, _e1829, 0f))), _e1939), type_49(type_34((_e707.member.member + vec4<f32>(_e1794, _e1798, _e1802, 0f)), (_e707.member.member_1 - vec4<f32>(_e1833, _e1837, _e1841, 0f))), _e1964));
                                             }
-                                            let _e1012 = phi_3825_;
-                                            let _e1031 = ((_e1012.member[0].x - _e366) * _e371);
-                                            let _e1032 = ((_e1012.member[0].y - _e366) * _e371);
-                                            let _e1033 = ((_e1012.member[0].z - _e367) * _e371);
-                                            let _e1034 = ((_e1012.member[0].w - _e367) * _e371);
-                                            let _e1044 = ((_e1012.member[1].x - _e432) * _e437);
-                                            let _e1045 = ((_e1012.member[1].y - _e432) * _e437);
-                                            let _e1046 = ((_e1012.member[1].z - _e433) * _e437);
-                                            let _e1047 = ((_e1012.member[1].w - _e433) * _e437);
-                                            let _e1057 = ((_e1012.member[2].x - _e498) * _e503);
-                                            let _e1058 = ((_e1012.member[2].y - _e498) * _e503);
-                                            let _e1059 = ((_e1012.member[2].z - _e499) * _e503);
-                                            let _e1060 = ((_e1012.member[2].w - _e499) * _e503);
-                                            let _e1062 = select(_e1059, _e1057, (_e1057 < _e1059));
-                                            let _e1064 = select(_e1060, _e1058, (_e1058 < _e1060));
-                                            let _e1066 = select(_e1059, _e1057, (_e1057 > _e1059));
-                                            let _e1068 = select(_e1060, _e1058, (_e1058 > _e1060));
-                                            let _e1070 = select(_e1033, _e1031, (_e1031 < _e1033));
-                                            let _e1072 = select(_e1034, _e1032, (_e1032 < _e1034));
-                                            let _e1074 = select(_e1046, _e1044, (_e1044 < _e1046));
-                                            let _e1076 = select(_e1047, _e1045, (_e1045 < _e1047));
-                                            let _e1078 = select(_e1074, _e1070, (_e1070 > _e1074));
-                                            let _e1080 = select(_e1076, _e1072, (_e1072 > _e1076));
-                                            let _e1082 = select(_e1062, _e1078, (_e1078 > _e1062));
-                                            let _e1084 = select(_e1064, _e1080, (_e1080 > _e1064));
-                                            let _e1086 = select(_e1033, _e1031, (_e1031 > _e1033));
-                                            let _e1088 = select(_e1034, _e1032, (_e1032 > _e1034));
-                                            let _e1090 = select(_e1046, _e1044, (_e1044 > _e1046));
-                                            let _e1092 = select(_e1047, _e1045, (_e1045 > _e1047));
-                                            let _e1094 = select(_e1090, _e1086, (_e1086 < _e1090));
-                                            let _e1096 = select(_e1092, _e1088, (_e1088 < _e1092));
-                                            let _e1101 = -(_e1062);
-                                            let _e1102 = -(_e1064);
-                                            let _e1109 = (select(_e1066, _e1094, (_e1094 < _e1066)) + (select(_e1101, _e1066, (_e1066 > _e1101)) * 0.0000019073523f));
-                                            let _e1110 = (select(_e1068, _e1096, (_e1096 < _e1068)) + (select(_e1102, _e1068, (_e1068 > _e1102)) * 0.0000019073523f));
-                                            let _e1112 = select(_e614, _e1082, (_e1082 > _e614));
-                                            let _e1114 = select(_e614, _e1084, (_e1084 > _e614));
-                                            let _e1119 = (_e1112 <= select(_e663.member.member_1, _e1109, (_e1109 < _e663.member.member_1)));
-                                            let _e1120 = (_e1114 <= select(_e663.member.member_1, _e1110, (_e1110 < _e663.member.member_1)));
-                                            let _e1121 = (_e1112 <= _e1114);
-                                            if _e1119 {
-                                                if _e1120 {
-                                                    if _e1121 {
-                                                        phi_4190_ = _e1012.member_2;
+                                            let _e1969 = phi_3821_;
+                                            let _e1988 = ((_e1969.member[0].x - _e366) * _e371);
+                                            let _e1989 = ((_e1969.member[0].y - _e366) * _e371);
+                                            let _e1990 = ((_e1969.member[0].z - _e367) * _e371);
+                                            let _e1991 = ((_e1969.member[0].w - _e367) * _e371);
+                                            let _e2001 = ((_e1969.member[1].x - _e432) * _e437);
+                                            let _e2002 = ((_e1969.member[1].y - _e432) * _e437);
+                                            let _e2003 = ((_e1969.member[1].z - _e433) * _e437);
+                                            let _e2004 = ((_e1969.member[1].w - _e433) * _e437);
+                                            let _e2014 = ((_e1969.member[2].x - _e498) * _e503);
+                                            let _e2015 = ((_e1969.member[2].y - _e498) * _e503);
+                                            let _e2016 = ((_e1969.member[2].z - _e499) * _e503);
+                                            let _e2017 = ((_e1969.member[2].w - _e499) * _e503);
+                                            let _e2019 = select(_e2016, _e2014, (_e2014 < _e2016));
+                                            let _e2021 = select(_e2017, _e2015, (_e2015 < _e2017));
+                                            let _e2023 = select(_e2016, _e2014, (_e2014 > _e2016));
+                                            let _e2025 = select(_e2017, _e2015, (_e2015 > _e2017));
+                                            let _e2027 = select(_e1990, _e1988, (_e1988 < _e1990));
+                                            let _e2029 = select(_e1991, _e1989, (_e1989 < _e1991));
+                                            let _e2031 = select(_e2003, _e2001, (_e2001 < _e2003));
+                                            let _e2033 = select(_e2004, _e2002, (_e2002 < _e2004));
+                                            let _e2035 = select(_e2031, _e2027, (_e2027 > _e2031));
+                                            let _e2037 = select(_e2033, _e2029, (_e2029 > _e2033));
+                                            let _e2039 = select(_e2019, _e2035, (_e2035 > _e2019));
+                                            let _e2041 = select(_e2021, _e2037, (_e2037 > _e2021));
+                                            let _e2043 = select(_e1990, _e1988, (_e1988 > _e1990));
+                                            let _e2045 = select(_e1991, _e1989, (_e1989 > _e1991));
+                                            let _e2047 = select(_e2003, _e2001, (_e2001 > _e2003));
+                                            let _e2049 = select(_e2004, _e2002, (_e2002 > _e2004));
+                                            let _e2051 = select(_e2047, _e2043, (_e2043 < _e2047));
+                                            let _e2053 = select(_e2049, _e2045, (_e2045 < _e2049));
+                                            let _e2058 = -(_e2019);
+                                            let _e2059 = -(_e2021);
+                                            let _e2066 = (select(_e2023, _e2051, (_e2051 < _e2023)) + (select(_e2058, _e2023, (_e2023 > _e2058)) * 0.0000019073523f));
+                                            let _e2067 = (select(_e2025, _e2053, (_e2053 < _e2025)) + (select(_e2059, _e2025, (_e2025 > _e2059)) * 0.0000019073523f));
+                                            let _e2069 = select(_e614, _e2039, (_e2039 > _e614));
+                                            let _e2071 = select(_e614, _e2041, (_e2041 > _e614));
+                                            let _e2076 = (_e2069 <= select(_e1673.member.member_1, _e2066, (_e2066 < _e1673.member.member_1)));
+                                            let _e2077 = (_e2071 <= select(_e1673.member.member_1, _e2067, (_e2067 < _e1673.member.member_1)));
+                                            let _e2078 = (_e2069 <= _e2071);
+                                            if _e2076 {
+                                                if _e2077 {
+                                                    if _e2078 {
+                                                        phi_4186_ = _e1969.member_2;
                                                     } else {
-                                                        phi_4190_ = _e1012.member_1;
+                                                        phi_4186_ = _e1969.member_1;
                                                     }
-                                                    let _e1125 = phi_4190_;
-                                                    let _e1147 = (_e705 % 128u);
-                                                    let _e1148 = (_e1147 < 128u);
-                                                    if _e1148 {
+                                                    let _e2082 = phi_4186_;
+                                                    let _e2103 = (_e705 % 128u);
+                                                    let _e2104 = (_e2103 < 128u);
+                                                    if _e2104 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1147] = _e1125.member_1;
-                                                    if _e1148 {
+                                                    local_8[_e2103] = _e2082.member_1;
+                                                    if _e2104 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1147] = _e1125.member.member.x;
-                                                    if _e1148 {
+                                                    local_7[_e2103] = _e2082.member.member.x;
+                                                    if _e2104 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1147] = _e1125.member.member.y;
-                                                    if _e1148 {
+                                                    local_6[_e2103] = _e2082.member.member.y;
+                                                    if _e2104 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1147] = _e1125.member.member.z;
-                                                    if _e1148 {
+                                                    local_5[_e2103] = _e2082.member.member.z;
+                                                    if _e2104 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1147] = _e1125.member.member_1.x;
-                                                    if _e1148 {
+                                                    local_4[_e2103] = _e2082.member.member_1.x;
+                                                    if _e2104 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1147] = _e1125.member.member_1.y;
-                                                    if _e1148 {
+                                                    local_3[_e2103] = _e2082.member.member_1.y;
+                                                    if _e2104 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1147] = _e1125.member.member_1.z;
-                                                    if _e1148 {
+                                                    local_2[_e2103] = _e2082.member.member_1.z;
+                                                    if _e2104 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1147] = select(_e1114, _e1112, !(_e1121));
-                                                    if _e1121 {
-                                                        phi_4267_ = _e1012.member_1;
+                                                    local_9[_e2103] = select(_e2069, _e2071, _e2078);
+                                                    if _e2078 {
+                                                        phi_4262_ = _e1969.member_1;
                                                     } else {
-                                                        phi_4267_ = _e1012.member_2;
+                                                        phi_4262_ = _e1969.member_2;
                                                     }
-                                                    let _e1161 = phi_4267_;
-                                                    phi_4268_ = (_e705 + 1u);
-                                                    phi_4269_ = _e1161;
+                                                    let _e2117 = phi_4262_;
+                                                    phi_4263_ = (_e705 + 1u);
+                                                    phi_4264_ = _e2117;
                                                 } else {
-                                                    phi_4268_ = u32();
-                                                    phi_4269_ = type_49();
+                                                    phi_4263_ = u32();
+                                                    phi_4264_ = type_49();
                                                 }
-                                                let _e1163 = phi_4268_;
-                                                let _e1165 = phi_4269_;
-                                                phi_4271_ = _e1163;
-                                                phi_4272_ = _e1165;
-                                                phi_4273_ = select(true, false, _e1120);
+                                                let _e2119 = phi_4263_;
+                                                let _e2121 = phi_4264_;
+                                                phi_4266_ = _e2119;
+                                                phi_4267_ = _e2121;
+                                                phi_4268_ = select(true, false, _e2077);
                                             } else {
-                                                phi_4271_ = u32();
-                                                phi_4272_ = type_49();
-                                                phi_4273_ = true;
+                                                phi_4266_ = u32();
+                                                phi_4267_ = type_49();
+                                                phi_4268_ = true;
                                             }
-                                            let _e1168 = phi_4271_;
-                                            let _e1170 = phi_4272_;
-                                            let _e1172 = phi_4273_;
-                                            if _e1172 {
-                                                if _e1119 {
-                                                    phi_4282_ = _e1012.member_1;
+                                            let _e2124 = phi_4266_;
+                                            let _e2126 = phi_4267_;
+                                            let _e2128 = phi_4268_;
+                                            if _e2128 {
+                                                if _e2076 {
+                                                    phi_4277_ = _e1969.member_1;
                                                 } else {
-                                                    phi_4282_ = _e1012.member_2;
+                                                    phi_4277_ = _e1969.member_2;
                                                 }
-                                                let _e1176 = phi_4282_;
-                                                phi_4287_ = select(_e1120, true, _e1119);
-                                                phi_4289_ = _e1176;
+                                                let _e2132 = phi_4277_;
+                                                phi_4282_ = select(_e2077, true, _e2076);
+                                                phi_4284_ = _e2132;
                                             } else {
-                                                phi_4287_ = _e703;
-                                                phi_4289_ = _e1170;
+                                                phi_4282_ = _e703;
+                                                phi_4284_ = _e2126;
                                             }
-                                            let _e1179 = phi_4287_;
-                                            let _e1181 = phi_4289_;
-                                            phi_4988_ = _e661;
-                                            phi_4294_ = type_42(_e663.member, (_e663.member_1 + 1u), _e663.member_2);
-                                            phi_4295_ = _e1179;
-                                            phi_4296_ = select(_e1168, _e705, _e1172);
-                                            phi_4297_ = _e1181;
+                                            let _e2135 = phi_4282_;
+                                            let _e2137 = phi_4284_;
+                                            phi_4289_ = type_42(_e1673.member, (_e1673.member_1 + 1u), _e1673.member_2);
+                                            phi_4290_ = _e2135;
+                                            phi_4291_ = select(_e2124, _e705, _e2128);
+                                            phi_4292_ = _e2137;
                                         }
-                                        let _e2137 = phi_4988_;
-                                        let _e2139 = phi_4294_;
-                                        let _e2141 = phi_4295_;
-                                        let _e2143 = phi_4296_;
-                                        let _e2145 = phi_4297_;
-                                        phi_4987_ = _e2137;
-                                        phi_4298_ = _e2139;
-                                        phi_4299_ = _e2141;
-                                        phi_4300_ = (_e667 - 1u);
-                                        phi_4301_ = _e2143;
-                                        phi_4302_ = _e2145;
+                                        let _e2140 = phi_4289_;
+                                        let _e2142 = phi_4290_;
+                                        let _e2144 = phi_4291_;
+                                        let _e2146 = phi_4292_;
+                                        if _e711 {
+                                            phi_4300_ = _e1673;
+                                            phi_4303_ = _e707;
+                                        } else {
+                                            phi_4300_ = _e2140;
+                                            phi_4303_ = _e2146;
+                                        }
+                                        let _e2148 = phi_4300_;
+                                        let _e2150 = phi_4303_;
+                                        phi_4993_ = _e1671;
+                                        phi_4304_ = _e2148;
+                                        phi_4305_ = (_e665 - 1u);
+                                        phi_4306_ = select(_e2142, false, _e711);
+                                        phi_4307_ = select(_e2144, _e705, _e711);
+                                        phi_4308_ = _e2150;
                                     } else {
-                                        phi_4987_ = _e661;
-                                        phi_4298_ = _e663;
-                                        phi_4299_ = _e703;
-                                        phi_4300_ = _e667;
-                                        phi_4301_ = _e705;
-                                        phi_4302_ = _e707;
+                                        phi_4993_ = _e661;
+                                        phi_4304_ = _e663;
+                                        phi_4305_ = _e665;
+                                        phi_4306_ = _e703;
+                                        phi_4307_ = _e705;
+                                        phi_4308_ = _e707;
                                     }
-                                    let _e2147 = phi_4987_;
-                                    let _e2149 = phi_4298_;
-                                    let _e2151 = phi_4299_;
-                                    let _e2153 = phi_4300_;
-                                    let _e2155 = phi_4301_;
-                                    let _e2157 = phi_4302_;
-                                    phi_4986_ = _e2147;
-                                    phi_4303_ = _e2149;
-                                    phi_4304_ = _e2151;
-                                    phi_4305_ = _e2153;
-                                    phi_4306_ = _e2155;
-                                    phi_4307_ = _e2157;
+                                    let _e2154 = phi_4993_;
+                                    let _e2156 = phi_4304_;
+                                    let _e2158 = phi_4305_;
+                                    let _e2160 = phi_4306_;
+                                    let _e2162 = phi_4307_;
+                                    let _e2164 = phi_4308_;
+                                    phi_4992_ = _e2154;
+                                    phi_4309_ = _e2156;
+                                    phi_4310_ = _e2158;
+                                    phi_4311_ = _e2160;
+                                    phi_4312_ = _e2162;
+                                    phi_4313_ = _e2164;
                                 } else {
-                                    phi_4986_ = _e661;
-                                    phi_4303_ = type_42();
-                                    phi_4304_ = bool();
-                                    phi_4305_ = u32();
-                                    phi_4306_ = u32();
-                                    phi_4307_ = type_49();
+                                    phi_4992_ = _e661;
+                                    phi_4309_ = type_42();
+                                    phi_4310_ = u32();
+                                    phi_4311_ = bool();
+                                    phi_4312_ = u32();
+                                    phi_4313_ = type_49();
                                 }
-                                let _e2159 = phi_4986_;
-                                let _e2161 = phi_4303_;
-                                let _e2163 = phi_4304_;
-                                let _e2165 = phi_4305_;
-                                let _e2167 = phi_4306_;
-                                let _e2169 = phi_4307_;
-                                phi_4985_ = _e2159;
-                                phi_1192_ = _e2161;
-                                phi_1195_ = _e2163;
-                                phi_1197_ = _e2165;
-                                phi_1199_ = _e2167;
-                                phi_1201_ = _e2169;
-                                phi_4308_ = _e675;
+                                let _e2166 = phi_4992_;
+                                let _e2168 = phi_4309_;
+                                let _e2170 = phi_4310_;
+                                let _e2172 = phi_4311_;
+                                let _e2174 = phi_4312_;
+                                let _e2176 = phi_4313_;
+                                phi_4991_ = _e2166;
+                                phi_1192_ = _e2168;
+                                phi_1195_ = _e2170;
+                                phi_1197_ = _e2172;
+                                phi_1199_ = _e2174;
+                                phi_1201_ = _e2176;
+                                phi_4314_ = _e675;
                             } else {
-                                phi_4985_ = _e661;
+                                phi_4991_ = _e661;
                                 phi_1192_ = type_42();
-                                phi_1195_ = bool();
-                                phi_1197_ = u32();
+                                phi_1195_ = u32();
+                                phi_1197_ = bool();
                                 phi_1199_ = u32();
                                 phi_1201_ = type_49();
-                                phi_4308_ = false;
+                                phi_4314_ = false;
                             }
-                            let _e2171 = phi_4985_;
-                            let _e2173 = phi_1192_;
-                            let _e2175 = phi_1195_;
-                            let _e2177 = phi_1197_;
-                            let _e2179 = phi_1199_;
-                            let _e2181 = phi_1201_;
-                            let _e2183 = phi_4308_;
+                            let _e2178 = phi_4991_;
+                            let _e2180 = phi_1192_;
+                            let _e2182 = phi_1195_;
+                            let _e2184 = phi_1197_;
+                            let _e2186 = phi_1199_;
+                            let _e2188 = phi_1201_;
+                            let _e2190 = phi_4314_;
                             continue;
                             continuing {
-                                phi_4783_ = _e2171;
-                                phi_1191_ = _e2173;
-                                phi_1194_ = _e2175;
-                                phi_1196_ = _e2177;
-                                phi_1198_ = _e2179;
-                                phi_1200_ = _e2181;
-                                phi_4984_ = _e2171;
-                                break if !(_e2183);
+                                phi_4789_ = _e2178;
+                                phi_1191_ = _e2180;
+                                phi_1194_ = _e2182;
+                                phi_1196_ = _e2184;
+                                phi_1198_ = _e2186;
+                                phi_1200_ = _e2188;
+                                phi_4990_ = _e2178;
+                                break if !(_e2190);
                             }
                         }
-                        let _e2186 = phi_4984_;
-                        if _e2186 {
+                        let _e2193 = phi_4990_;
+                        if _e2193 {
                             break;
                         }
-                        let _e2188 = local_10;
-                        if (_e2188.member.member.member_3 != 4294967295u) {
-                            let _e2194 = bitcast<u32>(_e2188.member.member.member);
-                            let _e2198 = (bitcast<i32>((_e2194 >> bitcast<u32>(23i))) & 255i);
-                            let _e2199 = (_e2198 + _e283);
-                            if (_e2198 == 255i) {
-                                phi_4367_ = _e2188.member.member.member;
+                        let _e2195 = local_10;
+                        if (_e2195.member.member.member_3 != 4294967295u) {
+                            let _e2201 = bitcast<u32>(_e2195.member.member.member);
+                            let _e2205 = (bitcast<i32>((_e2201 >> bitcast<u32>(23i))) & 255i);
+                            let _e2206 = (_e2205 + _e283);
+                            if (_e2205 == 255i) {
+                                phi_4373_ = _e2195.member.member.member;
                             } else {
-                                if (_e2198 > 0i) {
-                                    if (_e2199 > 0i) {
-                                        let _e2203 = (_e2199 < 255i);
-                                        if _e2203 {
-                                            phi_4346_ = bitcast<f32>((_e2194 + bitcast<u32>((_e283 << bitcast<u32>(23i)))));
+                                if (_e2205 > 0i) {
+                                    if (_e2206 > 0i) {
+                                        let _e2210 = (_e2206 < 255i);
+                                        if _e2210 {
+                                            phi_4352_ = bitcast<f32>((_e2201 + bitcast<u32>((_e283 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_4346_ = f32();
+                                            phi_4352_ = f32();
                                         }
-                                        let _e2210 = phi_4346_;
-                                        phi_4348_ = _e2210;
-                                        phi_4349_ = select(true, false, _e2203);
+                                        let _e2217 = phi_4352_;
+                                        phi_4354_ = _e2217;
+                                        phi_4355_ = select(true, false, _e2210);
                                     } else {
-                                        phi_4348_ = f32();
-                                        phi_4349_ = true;
+                                        phi_4354_ = f32();
+                                        phi_4355_ = true;
                                     }
-                                    let _e2213 = phi_4348_;
-                                    let _e2215 = phi_4349_;
-                                    phi_4350_ = _e2213;
-                                    phi_4351_ = _e2215;
+                                    let _e2220 = phi_4354_;
+                                    let _e2222 = phi_4355_;
+                                    phi_4356_ = _e2220;
+                                    phi_4357_ = _e2222;
                                 } else {
-                                    phi_4350_ = f32();
-                                    phi_4351_ = true;
+                                    phi_4356_ = f32();
+                                    phi_4357_ = true;
                                 }
-                                let _e2217 = phi_4350_;
-                                let _e2219 = phi_4351_;
-                                if _e2219 {
-                                    let _e2220 = (_e2194 & 2147483648u);
-                                    let _e2227 = ((_e2194 & 8388607u) | (select(0u, 1u, ((_e2194 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e2231 = (_e2227 == 0u);
-                                    if _e2231 {
-                                        phi_4735_ = bitcast<f32>(_e2220);
+                                let _e2224 = phi_4356_;
+                                let _e2226 = phi_4357_;
+                                if _e2226 {
+                                    let _e2227 = (_e2201 & 2147483648u);
+                                    let _e2234 = ((_e2201 & 8388607u) | (select(0u, 1u, ((_e2201 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e2238 = (_e2234 == 0u);
+                                    if _e2238 {
+                                        phi_4741_ = bitcast<f32>(_e2227);
                                     } else {
-                                        let _e2236 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2227)), 32u, _e2231) - 8u);
-                                        let _e2239 = (_e2227 << bitcast<u32>((_e2236 & 31u)));
-                                        let _e2241 = ((_e2199 + select(0i, 1i, (_e2198 == 0i))) - bitcast<i32>(_e2236));
-                                        if (_e2241 >= 255i) {
-                                            phi_4725_ = bitcast<f32>((_e2220 | 2139095040u));
-                                            phi_4726_ = f32();
-                                            phi_4727_ = true;
+                                        let _e2243 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2234)), 32u, _e2238) - 8u);
+                                        let _e2246 = (_e2234 << bitcast<u32>((_e2243 & 31u)));
+                                        let _e2248 = ((_e2206 + select(0i, 1i, (_e2205 == 0i))) - bitcast<i32>(_e2243));
+                                        if (_e2248 >= 255i) {
+                                            phi_4731_ = bitcast<f32>((_e2227 | 2139095040u));
+                                            phi_4732_ = f32();
+                                            phi_4733_ = true;
                                         } else {
-                                            let _e2243 = (_e2241 > 0i);
-                                            if _e2243 {
-                                                phi_4719_ = bitcast<f32>(((_e2220 | (bitcast<u32>(_e2241) << bitcast<u32>(23i))) | (_e2239 & 8388607u)));
-                                                phi_4720_ = f32();
+                                            let _e2250 = (_e2248 > 0i);
+                                            if _e2250 {
+                                                phi_4725_ = bitcast<f32>(((_e2227 | (bitcast<u32>(_e2248) << bitcast<u32>(23i))) | (_e2246 & 8388607u)));
+                                                phi_4726_ = f32();
                                             } else {
-                                                if (_e2241 < -24i) {
-                                                    phi_4685_ = 26u;
+                                                if (_e2248 < -24i) {
+                                                    phi_4691_ = 26u;
                                                 } else {
-                                                    phi_4685_ = bitcast<u32>((1i - _e2241));
+                                                    phi_4691_ = bitcast<u32>((1i - _e2248));
                                                 }
-                                                let _e2248 = phi_4685_;
-                                                let _e2249 = (_e2248 & 31u);
-                                                let _e2251 = (_e2239 >> bitcast<u32>(_e2249));
-                                                let _e2255 = (_e2239 & ((1u << bitcast<u32>(_e2249)) - 1u));
-                                                let _e2259 = (1u << bitcast<u32>(((_e2248 - 1u) & 31u)));
-                                                if (_e2255 > _e2259) {
-                                                    phi_4706_ = true;
+                                                let _e2255 = phi_4691_;
+                                                let _e2256 = (_e2255 & 31u);
+                                                let _e2258 = (_e2246 >> bitcast<u32>(_e2256));
+                                                let _e2262 = (_e2246 & ((1u << bitcast<u32>(_e2256)) - 1u));
+                                                let _e2266 = (1u << bitcast<u32>(((_e2255 - 1u) & 31u)));
+                                                if (_e2262 > _e2266) {
+                                                    phi_4712_ = true;
                                                 } else {
-                                                    if (_e2255 == _e2259) {
-                                                        phi_4703_ = ((_e2251 & 1u) == 1u);
+                                                    if (_e2262 == _e2266) {
+                                                        phi_4709_ = ((_e2258 & 1u) == 1u);
                                                     } else {
-                                                        phi_4703_ = false;
+                                                        phi_4709_ = false;
                                                     }
-                                                    let _e2265 = phi_4703_;
-                                                    phi_4706_ = _e2265;
+                                                    let _e2272 = phi_4709_;
+                                                    phi_4712_ = _e2272;
                                                 }
-                                                let _e2267 = phi_4706_;
-                                                phi_4719_ = f32();
-                                                phi_4720_ = bitcast<f32>((_e2220 | (_e2251 + select(0u, 1u, _e2267))));
+                                                let _e2274 = phi_4712_;
+                                                phi_4725_ = f32();
+                                                phi_4726_ = bitcast<f32>((_e2227 | (_e2258 + select(0u, 1u, _e2274))));
                                             }
-                                            let _e2280 = phi_4719_;
-                                            let _e2282 = phi_4720_;
-                                            phi_4725_ = _e2280;
-                                            phi_4726_ = _e2282;
-                                            phi_4727_ = _e2243;
+                                            let _e2287 = phi_4725_;
+                                            let _e2289 = phi_4726_;
+                                            phi_4731_ = _e2287;
+                                            phi_4732_ = _e2289;
+                                            phi_4733_ = _e2250;
                                         }
-                                        let _e2286 = phi_4725_;
-                                        let _e2288 = phi_4726_;
-                                        let _e2290 = phi_4727_;
-                                        phi_4735_ = select(_e2288, _e2286, _e2290);
+                                        let _e2293 = phi_4731_;
+                                        let _e2295 = phi_4732_;
+                                        let _e2297 = phi_4733_;
+                                        phi_4741_ = select(_e2295, _e2293, _e2297);
                                     }
-                                    let _e2294 = phi_4735_;
-                                    phi_4366_ = _e2294;
+                                    let _e2301 = phi_4741_;
+                                    phi_4372_ = _e2301;
                                 } else {
-                                    phi_4366_ = _e2217;
+                                    phi_4372_ = _e2224;
                                 }
-                                let _e2296 = phi_4366_;
-                                phi_4367_ = _e2296;
+                                let _e2303 = phi_4372_;
+                                phi_4373_ = _e2303;
                             }
-                            let _e2298 = phi_4367_;
-                            let _e2299 = bitcast<u32>(_e2298);
-                            if ((_e2299 & 2147483647u) >= 2139095040u) {
-                                phi_4379_ = bitcast<f32>(((_e2299 & 2147483648u) | 2139095039u));
+                            let _e2305 = phi_4373_;
+                            let _e2306 = bitcast<u32>(_e2305);
+                            if ((_e2306 & 2147483647u) >= 2139095040u) {
+                                phi_4385_ = bitcast<f32>(((_e2306 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_4379_ = _e2298;
+                                phi_4385_ = _e2305;
                             }
-                            let _e2306 = phi_4379_;
-                            phi_4384_ = type_22(_e2306, _e2188.member.member.member_1, _e2188.member.member.member_2, _e2188.member.member.member_3);
+                            let _e2313 = phi_4385_;
+                            phi_4390_ = type_22(_e2313, _e2195.member.member.member_1, _e2195.member.member.member_2, _e2195.member.member.member_3);
                         } else {
-                            phi_4384_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_4390_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e2311 = phi_4384_;
+                        let _e2318 = phi_4390_;
                         if _e159 {
                         } else {
                             break;
                         }
-                        global_1.member[_e143] = _e2311;
-                        let _e2315 = local_11;
+                        global_1.member[_e143] = _e2318;
+                        let _e2322 = local_11;
                         if _e160 {
                         } else {
                             break;
                         }
-                        global_5.member[_e143] = _e2315.member_1;
+                        global_5.member[_e143] = _e2322.member_1;
                         if _e158 {
                         } else {
                             break;
                         }
-                        let _e2320 = select(0u, 1u, (_e227 <= _e237));
-                        if (_e2320 > 0u) {
-                            let _e2322 = (1u < _e111);
-                            if _e2322 {
+                        let _e2327 = select(0u, 1u, (_e227 <= _e237));
+                        if (_e2327 > 0u) {
+                            let _e2329 = (1u < _e111);
+                            if _e2329 {
                                 if (0u < _e111) {
                                 } else {
                                     break;
                                 }
-                                let _e2326 = atomicAdd((&global_6.member[0u]), _e2320);
-                                if ((_e2326 + _e2320) < _e2326) {
-                                    if _e2322 {
+                                let _e2333 = atomicAdd((&global_6.member[0u]), _e2327);
+                                if ((_e2333 + _e2327) < _e2333) {
+                                    if _e2329 {
                                     } else {
                                         break;
                                     }
-                                    let _e2331 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e2338 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e2334 = select(0u, 1u, (_e2311.member_3 != 4294967295u));
-                        if (_e2334 > 0u) {
-                            let _e2336 = (3u < _e111);
-                            if _e2336 {
+                        let _e2341 = select(0u, 1u, (_e2318.member_3 != 4294967295u));
+                        if (_e2341 > 0u) {
+                            let _e2343 = (3u < _e111);
+                            if _e2343 {
                                 if (2u < _e111) {
                                 } else {
                                     break;
                                 }
-                                let _e2340 = atomicAdd((&global_6.member[2u]), _e2334);
-                                if ((_e2340 + _e2334) < _e2340) {
-                                    if _e2336 {
+                                let _e2347 = atomicAdd((&global_6.member[2u]), _e2341);
+                                if ((_e2347 + _e2341) < _e2347) {
+                                    if _e2343 {
                                     } else {
                                         break;
                                     }
-                                    let _e2345 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e2352 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e2315.member_1 > 0u) {
-                            let _e2347 = (5u < _e111);
-                            if _e2347 {
+                        if (_e2322.member_1 > 0u) {
+                            let _e2354 = (5u < _e111);
+                            if _e2354 {
                                 if (4u < _e111) {
                                 } else {
                                     break;
                                 }
-                                let _e2351 = atomicAdd((&global_6.member[4u]), _e2315.member_1);
-                                if ((_e2351 + _e2315.member_1) < _e2351) {
-                                    if _e2347 {
+                                let _e2358 = atomicAdd((&global_6.member[4u]), _e2322.member_1);
+                                if ((_e2358 + _e2322.member_1) < _e2358) {
+                                    if _e2354 {
                                     } else {
                                         break;
                                     }
-                                    let _e2356 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e2363 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

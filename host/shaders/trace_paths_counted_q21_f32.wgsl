@@ -146,34 +146,16 @@ fn function_() {
     var phi_1069_: u32;
     var phi_1077_: f32;
     var phi_1078_: f32;
-    var phi_4114_: bool;
+    var phi_4120_: bool;
     var phi_1183_: type_42;
-    var phi_1186_: bool;
-    var phi_1188_: u32;
+    var phi_1186_: u32;
+    var phi_1188_: bool;
     var phi_1190_: u32;
     var phi_1192_: type_53;
     var phi_1203_: bool;
     var phi_1289_: bool;
     var phi_1290_: u32;
     var phi_1291_: type_53;
-    var phi_3117_: u32;
-    var phi_3118_: u32;
-    var phi_3128_: u32;
-    var phi_3130_: u32;
-    var phi_3131_: bool;
-    var phi_3151_: u32;
-    var phi_3152_: u32;
-    var phi_3156_: type_54;
-    var phi_3521_: type_53;
-    var phi_3598_: type_53;
-    var phi_3599_: u32;
-    var phi_3600_: type_53;
-    var phi_3602_: u32;
-    var phi_3603_: type_53;
-    var phi_3604_: bool;
-    var phi_3613_: type_53;
-    var phi_3618_: bool;
-    var phi_3620_: type_53;
     var phi_1309_: type_42;
     var phi_1312_: type_7;
     var phi_1313_: type_7;
@@ -221,51 +203,72 @@ fn function_() {
     var phi_2384_: type_42;
     var phi_2385_: type_42;
     var phi_1310_: type_42;
-    var phi_4108_: bool;
-    var phi_4272_: bool;
-    var phi_3625_: type_42;
-    var phi_3626_: bool;
-    var phi_3627_: u32;
-    var phi_3628_: type_53;
-    var phi_4271_: bool;
-    var phi_3629_: type_42;
-    var phi_3630_: bool;
-    var phi_3631_: u32;
-    var phi_3632_: u32;
-    var phi_3633_: type_53;
-    var phi_4270_: bool;
-    var phi_3634_: type_42;
-    var phi_3635_: bool;
+    var phi_4114_: bool;
+    var phi_4360_: bool;
+    var phi_2386_: type_42;
+    var phi_3113_: u32;
+    var phi_3114_: u32;
+    var phi_3124_: u32;
+    var phi_3126_: u32;
+    var phi_3127_: bool;
+    var phi_3147_: u32;
+    var phi_3148_: u32;
+    var phi_3152_: type_54;
+    var phi_3517_: type_53;
+    var phi_3593_: type_53;
+    var phi_3594_: u32;
+    var phi_3595_: type_53;
+    var phi_3597_: u32;
+    var phi_3598_: type_53;
+    var phi_3599_: bool;
+    var phi_3608_: type_53;
+    var phi_3613_: bool;
+    var phi_3615_: type_53;
+    var phi_3620_: type_42;
+    var phi_3621_: bool;
+    var phi_3622_: u32;
+    var phi_3623_: type_53;
+    var phi_3631_: type_42;
+    var phi_3634_: type_53;
+    var phi_4277_: bool;
+    var phi_3635_: type_42;
     var phi_3636_: u32;
-    var phi_3637_: u32;
-    var phi_3638_: type_53;
-    var phi_4269_: bool;
+    var phi_3637_: bool;
+    var phi_3638_: u32;
+    var phi_3639_: type_53;
+    var phi_4276_: bool;
+    var phi_3640_: type_42;
+    var phi_3641_: u32;
+    var phi_3642_: bool;
+    var phi_3643_: u32;
+    var phi_3644_: type_53;
+    var phi_4275_: bool;
     var phi_1184_: type_42;
-    var phi_1187_: bool;
-    var phi_1189_: u32;
+    var phi_1187_: u32;
+    var phi_1189_: bool;
     var phi_1191_: u32;
     var phi_1193_: type_53;
-    var phi_3639_: bool;
-    var phi_4268_: bool;
+    var phi_3645_: bool;
+    var phi_4274_: bool;
     var local_10: type_42;
-    var phi_3677_: f32;
-    var phi_3679_: f32;
-    var phi_3680_: bool;
-    var phi_3681_: f32;
-    var phi_3682_: bool;
-    var phi_4016_: u32;
-    var phi_4034_: bool;
-    var phi_4037_: bool;
-    var phi_4050_: f32;
-    var phi_4051_: f32;
+    var phi_3683_: f32;
+    var phi_3685_: f32;
+    var phi_3686_: bool;
+    var phi_3687_: f32;
+    var phi_3688_: bool;
+    var phi_4022_: u32;
+    var phi_4040_: bool;
+    var phi_4043_: bool;
     var phi_4056_: f32;
     var phi_4057_: f32;
-    var phi_4058_: bool;
-    var phi_4066_: f32;
-    var phi_3697_: f32;
-    var phi_3698_: f32;
-    var phi_3710_: f32;
-    var phi_3715_: type_22;
+    var phi_4062_: f32;
+    var phi_4063_: f32;
+    var phi_4064_: bool;
+    var phi_4072_: f32;
+    var phi_3703_: f32;
+    var phi_3704_: f32;
+    var phi_3716_: f32;
+    var phi_3721_: type_22;
     var local_11: type_42;
     var local_12: type_42;
 
@@ -628,14 +631,14 @@ fn function_() {
                             break;
                         }
                         let _e644 = local[_e628];
-                        phi_4114_ = false;
+                        phi_4120_ = false;
                         phi_1183_ = type_42(type_39(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e605), 0u, 0u);
-                        phi_1186_ = (_e607 <= _e605);
-                        phi_1188_ = ((3u * _e94) + 1u);
+                        phi_1186_ = ((3u * _e94) + 1u);
+                        phi_1188_ = (_e607 <= _e605);
                         phi_1190_ = 0u;
                         phi_1192_ = type_53(type_34(vec4<f32>((f32(_e619) * _e148), (f32(_e625) * _e148), (f32(_e631) * _e148), 0f), vec4<f32>((f32(_e636) * _e148), (f32(_e640) * _e148), (f32(_e644) * _e148), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
                         loop {
-                            let _e654 = phi_4114_;
+                            let _e654 = phi_4120_;
                             let _e656 = phi_1183_;
                             let _e658 = phi_1186_;
                             let _e660 = phi_1188_;
@@ -643,17 +646,17 @@ fn function_() {
                             let _e664 = phi_1192_;
                             local_10 = _e656;
                             local_11 = _e656;
-                            if _e658 {
+                            if _e660 {
                                 phi_1203_ = true;
                             } else {
                                 phi_1203_ = (_e662 > 0u);
                             }
                             let _e667 = phi_1203_;
                             if _e667 {
-                                let _e668 = (_e660 > 0u);
+                                let _e668 = (_e658 > 0u);
                                 if _e668 {
-                                    if _e658 {
-                                        phi_1289_ = _e658;
+                                    if _e660 {
+                                        phi_1289_ = _e660;
                                         phi_1290_ = _e662;
                                         phi_1291_ = _e664;
                                     } else {
@@ -662,49 +665,49 @@ fn function_() {
                                         let _e671 = (_e670 < 128u);
                                         if _e671 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e673 = local_7[_e670];
                                         if _e671 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e675 = local_6[_e670];
                                         if _e671 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e677 = local_5[_e670];
                                         if _e671 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e679 = local_4[_e670];
                                         if _e671 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e681 = local_3[_e670];
                                         if _e671 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e683 = local_2[_e670];
                                         if _e671 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e688 = local_8[_e670];
                                         if _e671 {
                                         } else {
-                                            phi_4268_ = true;
+                                            phi_4274_ = true;
                                             break;
                                         }
                                         let _e691 = local_9[_e670];
@@ -716,989 +719,1005 @@ fn function_() {
                                     let _e698 = phi_1290_;
                                     let _e700 = phi_1291_;
                                     if _e696 {
-                                        if ((_e700.member_1 & 2147483648u) != 0u) {
+                                        let _e704 = ((_e700.member_1 & 2147483648u) != 0u);
+                                        if _e704 {
                                             phi_1309_ = _e656;
                                             phi_1312_ = type_7(0u, ((_e700.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1175 = phi_1309_;
-                                                let _e1177 = phi_1312_;
-                                                local_12 = _e1175;
-                                                if (_e1177.member < _e1177.member_1) {
-                                                    phi_1313_ = type_7((_e1177.member + 1u), _e1177.member_1);
-                                                    phi_1335_ = type_7(1u, _e1177.member);
+                                                let _e711 = phi_1309_;
+                                                let _e713 = phi_1312_;
+                                                local_12 = _e711;
+                                                if (_e713.member < _e713.member_1) {
+                                                    phi_1313_ = type_7((_e713.member + 1u), _e713.member_1);
+                                                    phi_1335_ = type_7(1u, _e713.member);
                                                 } else {
-                                                    phi_1313_ = _e1177;
+                                                    phi_1313_ = _e713;
                                                     phi_1335_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e1190 = phi_1313_;
-                                                let _e1192 = phi_1335_;
-                                                let _e1196 = (bitcast<i32>(_e1192.member) != 0i);
-                                                if _e1196 {
-                                                    let _e1202 = type_42(_e1175.member, _e1175.member_1, (_e1175.member_2 + 1u));
-                                                    let _e1203 = ((_e700.member_1 & 268435455u) + _e1192.member_1);
-                                                    let _e1204 = (_e1203 < _e96);
-                                                    if _e1204 {
-                                                        if _e1204 {
+                                                let _e726 = phi_1313_;
+                                                let _e728 = phi_1335_;
+                                                let _e732 = (bitcast<i32>(_e728.member) != 0i);
+                                                if _e732 {
+                                                    let _e738 = type_42(_e711.member, _e711.member_1, (_e711.member_2 + 1u));
+                                                    let _e739 = ((_e700.member_1 & 268435455u) + _e728.member_1);
+                                                    let _e740 = (_e739 < _e96);
+                                                    if _e740 {
+                                                        if _e740 {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1208 = global_1.member[_e1203].member_1;
-                                                        phi_1359_ = _e1208;
+                                                        let _e744 = global_1.member[_e739].member_1;
+                                                        phi_1359_ = _e744;
                                                     } else {
                                                         phi_1359_ = 4294967295u;
                                                     }
-                                                    let _e1210 = phi_1359_;
-                                                    if (_e1203 >= _e96) {
+                                                    let _e746 = phi_1359_;
+                                                    if (_e739 >= _e96) {
                                                         phi_1451_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1204 {
+                                                        if _e740 {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
                                                         if (_e616 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1217 = global_1.member[_e1203].member[_e616];
+                                                        let _e753 = global_1.member[_e739].member[_e616];
                                                         if (_e622 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1223 = global_1.member[_e1203].member[_e622];
+                                                        let _e759 = global_1.member[_e739].member[_e622];
                                                         if (_e628 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1229 = global_1.member[_e1203].member[_e628];
-                                                        let _e1231 = (3u + _e616);
-                                                        if (_e1231 < 9u) {
+                                                        let _e765 = global_1.member[_e739].member[_e628];
+                                                        let _e767 = (3u + _e616);
+                                                        if (_e767 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1237 = global_1.member[_e1203].member[_e1231];
-                                                        let _e1238 = (3u + _e622);
-                                                        if (_e1238 < 9u) {
+                                                        let _e773 = global_1.member[_e739].member[_e767];
+                                                        let _e774 = (3u + _e622);
+                                                        if (_e774 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1244 = global_1.member[_e1203].member[_e1238];
-                                                        let _e1245 = (3u + _e628);
-                                                        if (_e1245 < 9u) {
+                                                        let _e780 = global_1.member[_e739].member[_e774];
+                                                        let _e781 = (3u + _e628);
+                                                        if (_e781 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1251 = global_1.member[_e1203].member[_e1245];
-                                                        let _e1253 = (6u + _e616);
-                                                        if (_e1253 < 9u) {
+                                                        let _e787 = global_1.member[_e739].member[_e781];
+                                                        let _e789 = (6u + _e616);
+                                                        if (_e789 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1259 = global_1.member[_e1203].member[_e1253];
-                                                        let _e1260 = (6u + _e622);
-                                                        if (_e1260 < 9u) {
+                                                        let _e795 = global_1.member[_e739].member[_e789];
+                                                        let _e796 = (6u + _e622);
+                                                        if (_e796 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1266 = global_1.member[_e1203].member[_e1260];
-                                                        let _e1267 = (6u + _e628);
-                                                        if (_e1267 < 9u) {
+                                                        let _e802 = global_1.member[_e739].member[_e796];
+                                                        let _e803 = (6u + _e628);
+                                                        if (_e803 < 9u) {
                                                         } else {
-                                                            phi_4108_ = true;
+                                                            phi_4114_ = true;
                                                             break;
                                                         }
-                                                        let _e1273 = global_1.member[_e1203].member[_e1267];
-                                                        phi_1451_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1217, _e1223, _e1229), array<f32, 3>(_e1237, _e1244, _e1251), array<f32, 3>(_e1259, _e1266, _e1273));
+                                                        let _e809 = global_1.member[_e739].member[_e803];
+                                                        phi_1451_ = array<array<f32, 3>, 3>(array<f32, 3>(_e753, _e759, _e765), array<f32, 3>(_e773, _e780, _e787), array<f32, 3>(_e795, _e802, _e809));
                                                     }
-                                                    let _e1277 = phi_1451_;
-                                                    let _e1286 = (_e1277[0][2] - _e454);
-                                                    let _e1289 = (((_e1277[0][0] - _e321) * _e493) - (_e1286 * _e361));
-                                                    let _e1292 = (((_e1277[0][1] - _e388) * _e493) - (_e1286 * _e427));
-                                                    let _e1299 = (_e1277[1][2] - _e454);
-                                                    let _e1302 = (((_e1277[1][0] - _e321) * _e493) - (_e1299 * _e361));
-                                                    let _e1305 = (((_e1277[1][1] - _e388) * _e493) - (_e1299 * _e427));
-                                                    let _e1312 = (_e1277[2][2] - _e454);
-                                                    let _e1315 = (((_e1277[2][0] - _e321) * _e493) - (_e1312 * _e361));
-                                                    let _e1318 = (((_e1277[2][1] - _e388) * _e493) - (_e1312 * _e427));
-                                                    let _e1319 = (_e1315 * _e1305);
-                                                    let _e1320 = (_e1318 * _e1302);
-                                                    let _e1321 = (_e1289 * _e1318);
-                                                    let _e1322 = (_e1292 * _e1315);
-                                                    let _e1323 = (_e1302 * _e1292);
-                                                    let _e1324 = (_e1305 * _e1289);
-                                                    let _e1329 = (((_e1319 >= _e1320) && (_e1321 >= _e1322)) && (_e1323 >= _e1324));
-                                                    if (_e1329 || (((_e1319 <= _e1320) && (_e1321 <= _e1322)) && (_e1323 <= _e1324))) {
-                                                        let _e1336 = select(-1f, 1f, _e1329);
-                                                        let _e1338 = ((_e1319 - _e1320) * _e1336);
-                                                        let _e1340 = select(0f, _e1338, (_e1338 > 0f));
-                                                        let _e1342 = ((_e1321 - _e1322) * _e1336);
-                                                        let _e1344 = select(0f, _e1342, (_e1342 > 0f));
-                                                        let _e1346 = ((_e1323 - _e1324) * _e1336);
-                                                        let _e1348 = select(0f, _e1346, (_e1346 > 0f));
-                                                        let _e1350 = ((_e1340 + _e1344) + _e1348);
-                                                        if (_e1350 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e813 = phi_1451_;
+                                                    let _e822 = (_e813[0][2] - _e454);
+                                                    let _e825 = (((_e813[0][0] - _e321) * _e493) - (_e822 * _e361));
+                                                    let _e828 = (((_e813[0][1] - _e388) * _e493) - (_e822 * _e427));
+                                                    let _e835 = (_e813[1][2] - _e454);
+                                                    let _e838 = (((_e813[1][0] - _e321) * _e493) - (_e835 * _e361));
+                                                    let _e841 = (((_e813[1][1] - _e388) * _e493) - (_e835 * _e427));
+                                                    let _e848 = (_e813[2][2] - _e454);
+                                                    let _e851 = (((_e813[2][0] - _e321) * _e493) - (_e848 * _e361));
+                                                    let _e854 = (((_e813[2][1] - _e388) * _e493) - (_e848 * _e427));
+                                                    let _e855 = (_e851 * _e841);
+                                                    let _e856 = (_e854 * _e838);
+                                                    let _e857 = (_e825 * _e854);
+                                                    let _e858 = (_e828 * _e851);
+                                                    let _e859 = (_e838 * _e828);
+                                                    let _e860 = (_e841 * _e825);
+                                                    let _e865 = (((_e855 >= _e856) && (_e857 >= _e858)) && (_e859 >= _e860));
+                                                    if (_e865 || (((_e855 <= _e856) && (_e857 <= _e858)) && (_e859 <= _e860))) {
+                                                        let _e872 = select(-1f, 1f, _e865);
+                                                        let _e874 = ((_e855 - _e856) * _e872);
+                                                        let _e876 = select(0f, _e874, (_e874 > 0f));
+                                                        let _e878 = ((_e857 - _e858) * _e872);
+                                                        let _e880 = select(0f, _e878, (_e878 > 0f));
+                                                        let _e882 = ((_e859 - _e860) * _e872);
+                                                        let _e884 = select(0f, _e882, (_e882 > 0f));
+                                                        let _e886 = ((_e876 + _e880) + _e884);
+                                                        if (_e886 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2335_ = type_22();
                                                             phi_2336_ = true;
                                                             phi_2337_ = false;
                                                         } else {
-                                                            let _e1353 = select(_e1302, _e1289, (_e1289 < _e1302));
-                                                            if (select(_e1315, _e1353, (_e1353 < _e1315)) > 0f) {
+                                                            let _e889 = select(_e838, _e825, (_e825 < _e838));
+                                                            if (select(_e851, _e889, (_e889 < _e851)) > 0f) {
                                                                 phi_1603_ = true;
                                                             } else {
-                                                                let _e1358 = select(_e1302, _e1289, (_e1289 > _e1302));
-                                                                phi_1603_ = (select(_e1315, _e1358, (_e1358 > _e1315)) < 0f);
+                                                                let _e894 = select(_e838, _e825, (_e825 > _e838));
+                                                                phi_1603_ = (select(_e851, _e894, (_e894 > _e851)) < 0f);
                                                             }
-                                                            let _e1363 = phi_1603_;
-                                                            if _e1363 {
+                                                            let _e899 = phi_1603_;
+                                                            if _e899 {
                                                                 phi_2332_ = type_22();
                                                                 phi_2333_ = true;
                                                                 phi_2334_ = false;
                                                             } else {
-                                                                let _e1365 = select(_e1305, _e1292, (_e1292 < _e1305));
-                                                                if (select(_e1318, _e1365, (_e1365 < _e1318)) > 0f) {
+                                                                let _e901 = select(_e841, _e828, (_e828 < _e841));
+                                                                if (select(_e854, _e901, (_e901 < _e854)) > 0f) {
                                                                     phi_1632_ = true;
                                                                 } else {
-                                                                    let _e1370 = select(_e1305, _e1292, (_e1292 > _e1305));
-                                                                    phi_1632_ = (select(_e1318, _e1370, (_e1370 > _e1318)) < 0f);
+                                                                    let _e906 = select(_e841, _e828, (_e828 > _e841));
+                                                                    phi_1632_ = (select(_e854, _e906, (_e906 > _e854)) < 0f);
                                                                 }
-                                                                let _e1375 = phi_1632_;
-                                                                if _e1375 {
+                                                                let _e911 = phi_1632_;
+                                                                if _e911 {
                                                                     phi_2330_ = type_22();
                                                                     phi_2331_ = false;
                                                                 } else {
-                                                                    let _e1377 = select(_e1277[1][0], _e1277[0][0], (_e1277[0][0] < _e1277[1][0]));
-                                                                    let _e1381 = select(_e1277[1][0], _e1277[0][0], (_e1277[0][0] > _e1277[1][0]));
-                                                                    let _e1385 = select(_e1277[1][1], _e1277[0][1], (_e1277[0][1] < _e1277[1][1]));
-                                                                    let _e1389 = select(_e1277[1][1], _e1277[0][1], (_e1277[0][1] > _e1277[1][1]));
-                                                                    let _e1393 = select(_e1277[1][2], _e1277[0][2], (_e1277[0][2] < _e1277[1][2]));
-                                                                    let _e1397 = select(_e1277[1][2], _e1277[0][2], (_e1277[0][2] > _e1277[1][2]));
-                                                                    let _e1402 = ((select(_e1277[2][0], _e1377, (_e1377 < _e1277[2][0])) - _e359) * _e364);
-                                                                    let _e1403 = ((select(_e1277[2][0], _e1381, (_e1381 > _e1277[2][0])) - _e360) * _e364);
-                                                                    let _e1406 = ((select(_e1277[2][1], _e1385, (_e1385 < _e1277[2][1])) - _e425) * _e430);
-                                                                    let _e1407 = ((select(_e1277[2][1], _e1389, (_e1389 > _e1277[2][1])) - _e426) * _e430);
-                                                                    let _e1410 = ((select(_e1277[2][2], _e1393, (_e1393 < _e1277[2][2])) - _e491) * _e496);
-                                                                    let _e1411 = ((select(_e1277[2][2], _e1397, (_e1397 > _e1277[2][2])) - _e492) * _e496);
-                                                                    let _e1413 = select(_e1411, _e1410, (_e1410 < _e1411));
-                                                                    let _e1415 = select(_e1411, _e1410, (_e1410 > _e1411));
-                                                                    let _e1417 = select(_e1403, _e1402, (_e1402 < _e1403));
-                                                                    let _e1419 = select(_e1407, _e1406, (_e1406 < _e1407));
-                                                                    let _e1421 = select(_e1419, _e1417, (_e1417 > _e1419));
-                                                                    let _e1423 = select(_e1413, _e1421, (_e1421 > _e1413));
-                                                                    let _e1425 = select(_e1403, _e1402, (_e1402 > _e1403));
-                                                                    let _e1427 = select(_e1407, _e1406, (_e1406 > _e1407));
-                                                                    let _e1429 = select(_e1427, _e1425, (_e1425 < _e1427));
-                                                                    let _e1431 = select(_e1415, _e1429, (_e1429 < _e1415));
-                                                                    let _e1432 = -(_e1413);
-                                                                    let _e1438 = select(_e607, _e1423, (_e1423 > _e607));
-                                                                    if (_e1438 > (_e1431 + (select(_e1432, _e1415, (_e1415 > _e1432)) * 0.0000019073523f))) {
+                                                                    let _e913 = select(_e813[1][0], _e813[0][0], (_e813[0][0] < _e813[1][0]));
+                                                                    let _e917 = select(_e813[1][0], _e813[0][0], (_e813[0][0] > _e813[1][0]));
+                                                                    let _e921 = select(_e813[1][1], _e813[0][1], (_e813[0][1] < _e813[1][1]));
+                                                                    let _e925 = select(_e813[1][1], _e813[0][1], (_e813[0][1] > _e813[1][1]));
+                                                                    let _e929 = select(_e813[1][2], _e813[0][2], (_e813[0][2] < _e813[1][2]));
+                                                                    let _e933 = select(_e813[1][2], _e813[0][2], (_e813[0][2] > _e813[1][2]));
+                                                                    let _e938 = ((select(_e813[2][0], _e913, (_e913 < _e813[2][0])) - _e359) * _e364);
+                                                                    let _e939 = ((select(_e813[2][0], _e917, (_e917 > _e813[2][0])) - _e360) * _e364);
+                                                                    let _e942 = ((select(_e813[2][1], _e921, (_e921 < _e813[2][1])) - _e425) * _e430);
+                                                                    let _e943 = ((select(_e813[2][1], _e925, (_e925 > _e813[2][1])) - _e426) * _e430);
+                                                                    let _e946 = ((select(_e813[2][2], _e929, (_e929 < _e813[2][2])) - _e491) * _e496);
+                                                                    let _e947 = ((select(_e813[2][2], _e933, (_e933 > _e813[2][2])) - _e492) * _e496);
+                                                                    let _e949 = select(_e947, _e946, (_e946 < _e947));
+                                                                    let _e951 = select(_e947, _e946, (_e946 > _e947));
+                                                                    let _e953 = select(_e939, _e938, (_e938 < _e939));
+                                                                    let _e955 = select(_e943, _e942, (_e942 < _e943));
+                                                                    let _e957 = select(_e955, _e953, (_e953 > _e955));
+                                                                    let _e959 = select(_e949, _e957, (_e957 > _e949));
+                                                                    let _e961 = select(_e939, _e938, (_e938 > _e939));
+                                                                    let _e963 = select(_e943, _e942, (_e942 > _e943));
+                                                                    let _e965 = select(_e963, _e961, (_e961 < _e963));
+                                                                    let _e967 = select(_e951, _e965, (_e965 < _e951));
+                                                                    let _e968 = -(_e949);
+                                                                    let _e974 = select(_e607, _e959, (_e959 > _e607));
+                                                                    if (_e974 > (_e967 + (select(_e968, _e951, (_e951 > _e968)) * 0.0000019073523f))) {
                                                                         phi_2325_ = type_22();
                                                                         phi_2326_ = true;
                                                                     } else {
-                                                                        let _e1440 = (_e1438 > _e1175.member.member_1);
-                                                                        if _e1440 {
+                                                                        let _e976 = (_e974 > _e711.member.member_1);
+                                                                        if _e976 {
                                                                             phi_2324_ = type_22();
                                                                         } else {
-                                                                            let _e1441 = vec3<f32>(_e1277[0][0], _e1277[0][1], _e1277[0][2]);
-                                                                            let _e1442 = vec3<f32>(_e1277[1][0], _e1277[1][1], _e1277[1][2]);
-                                                                            let _e1443 = vec3<f32>(_e1277[2][0], _e1277[2][1], _e1277[2][2]);
-                                                                            let _e1444 = (_e1277[1][0] - _e1277[0][0]);
-                                                                            let _e1445 = (_e1277[1][1] - _e1277[0][1]);
-                                                                            let _e1446 = (_e1277[1][2] - _e1277[0][2]);
-                                                                            let _e1447 = vec3<f32>(_e1444, _e1445, _e1446);
-                                                                            let _e1448 = (_e1277[2][0] - _e1277[1][0]);
-                                                                            let _e1449 = (_e1277[2][1] - _e1277[1][1]);
-                                                                            let _e1450 = (_e1277[2][2] - _e1277[1][2]);
-                                                                            let _e1451 = vec3<f32>(_e1448, _e1449, _e1450);
-                                                                            let _e1452 = (_e1277[0][0] - _e1277[2][0]);
-                                                                            let _e1453 = (_e1277[0][1] - _e1277[2][1]);
-                                                                            let _e1454 = (_e1277[0][2] - _e1277[2][2]);
-                                                                            let _e1455 = vec3<f32>(_e1452, _e1453, _e1454);
-                                                                            let _e1458 = bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u));
-                                                                            let _e1461 = bitcast<f32>((bitcast<u32>(_e1445) & 2147483647u));
-                                                                            let _e1463 = select(_e1461, _e1458, (_e1458 > _e1461));
-                                                                            let _e1466 = bitcast<f32>((bitcast<u32>(_e1446) & 2147483647u));
-                                                                            let _e1468 = select(_e1466, _e1463, (_e1463 > _e1466));
-                                                                            let _e1471 = bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u));
-                                                                            let _e1474 = bitcast<f32>((bitcast<u32>(_e1449) & 2147483647u));
-                                                                            let _e1476 = select(_e1474, _e1471, (_e1471 > _e1474));
-                                                                            let _e1479 = bitcast<f32>((bitcast<u32>(_e1450) & 2147483647u));
-                                                                            let _e1481 = select(_e1479, _e1476, (_e1476 > _e1479));
-                                                                            let _e1484 = bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u));
-                                                                            let _e1487 = bitcast<f32>((bitcast<u32>(_e1453) & 2147483647u));
-                                                                            let _e1489 = select(_e1487, _e1484, (_e1484 > _e1487));
-                                                                            let _e1492 = bitcast<f32>((bitcast<u32>(_e1454) & 2147483647u));
-                                                                            let _e1494 = select(_e1492, _e1489, (_e1489 > _e1492));
-                                                                            let _e1496 = select(_e1481, _e1468, (_e1468 > _e1481));
-                                                                            let _e1498 = select(_e1494, _e1496, (_e1496 > _e1494));
-                                                                            if (_e1468 == _e1498) {
-                                                                                phi_2051_ = _e1305;
-                                                                                phi_2052_ = _e1302;
-                                                                                phi_2053_ = _e1292;
-                                                                                phi_2054_ = _e1289;
-                                                                                phi_2055_ = _e1441;
-                                                                                phi_2056_ = _e1455;
-                                                                                phi_2057_ = _e1451;
-                                                                                phi_2058_ = _e1447;
+                                                                            let _e977 = vec3<f32>(_e813[0][0], _e813[0][1], _e813[0][2]);
+                                                                            let _e978 = vec3<f32>(_e813[1][0], _e813[1][1], _e813[1][2]);
+                                                                            let _e979 = vec3<f32>(_e813[2][0], _e813[2][1], _e813[2][2]);
+                                                                            let _e980 = (_e813[1][0] - _e813[0][0]);
+                                                                            let _e981 = (_e813[1][1] - _e813[0][1]);
+                                                                            let _e982 = (_e813[1][2] - _e813[0][2]);
+                                                                            let _e983 = vec3<f32>(_e980, _e981, _e982);
+                                                                            let _e984 = (_e813[2][0] - _e813[1][0]);
+                                                                            let _e985 = (_e813[2][1] - _e813[1][1]);
+                                                                            let _e986 = (_e813[2][2] - _e813[1][2]);
+                                                                            let _e987 = vec3<f32>(_e984, _e985, _e986);
+                                                                            let _e988 = (_e813[0][0] - _e813[2][0]);
+                                                                            let _e989 = (_e813[0][1] - _e813[2][1]);
+                                                                            let _e990 = (_e813[0][2] - _e813[2][2]);
+                                                                            let _e991 = vec3<f32>(_e988, _e989, _e990);
+                                                                            let _e994 = bitcast<f32>((bitcast<u32>(_e980) & 2147483647u));
+                                                                            let _e997 = bitcast<f32>((bitcast<u32>(_e981) & 2147483647u));
+                                                                            let _e999 = select(_e997, _e994, (_e994 > _e997));
+                                                                            let _e1002 = bitcast<f32>((bitcast<u32>(_e982) & 2147483647u));
+                                                                            let _e1004 = select(_e1002, _e999, (_e999 > _e1002));
+                                                                            let _e1007 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
+                                                                            let _e1010 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
+                                                                            let _e1012 = select(_e1010, _e1007, (_e1007 > _e1010));
+                                                                            let _e1015 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
+                                                                            let _e1017 = select(_e1015, _e1012, (_e1012 > _e1015));
+                                                                            let _e1020 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
+                                                                            let _e1023 = bitcast<f32>((bitcast<u32>(_e989) & 2147483647u));
+                                                                            let _e1025 = select(_e1023, _e1020, (_e1020 > _e1023));
+                                                                            let _e1028 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
+                                                                            let _e1030 = select(_e1028, _e1025, (_e1025 > _e1028));
+                                                                            let _e1032 = select(_e1017, _e1004, (_e1004 > _e1017));
+                                                                            let _e1034 = select(_e1030, _e1032, (_e1032 > _e1030));
+                                                                            if (_e1004 == _e1034) {
+                                                                                phi_2051_ = _e841;
+                                                                                phi_2052_ = _e838;
+                                                                                phi_2053_ = _e828;
+                                                                                phi_2054_ = _e825;
+                                                                                phi_2055_ = _e977;
+                                                                                phi_2056_ = _e991;
+                                                                                phi_2057_ = _e987;
+                                                                                phi_2058_ = _e983;
                                                                             } else {
-                                                                                let _e1500 = (_e1481 == _e1498);
-                                                                                let _e1505 = vec3(_e1500);
-                                                                                phi_2051_ = select(_e1292, _e1318, _e1500);
-                                                                                phi_2052_ = select(_e1289, _e1315, _e1500);
-                                                                                phi_2053_ = select(_e1318, _e1305, _e1500);
-                                                                                phi_2054_ = select(_e1315, _e1302, _e1500);
-                                                                                phi_2055_ = select(_e1443, _e1442, _e1505);
-                                                                                phi_2056_ = select(_e1451, _e1447, _e1505);
-                                                                                phi_2057_ = select(_e1447, _e1455, _e1505);
-                                                                                phi_2058_ = select(_e1455, _e1451, _e1505);
+                                                                                let _e1036 = (_e1017 == _e1034);
+                                                                                let _e1041 = vec3(_e1036);
+                                                                                phi_2051_ = select(_e828, _e854, _e1036);
+                                                                                phi_2052_ = select(_e825, _e851, _e1036);
+                                                                                phi_2053_ = select(_e854, _e841, _e1036);
+                                                                                phi_2054_ = select(_e851, _e838, _e1036);
+                                                                                phi_2055_ = select(_e979, _e978, _e1041);
+                                                                                phi_2056_ = select(_e987, _e983, _e1041);
+                                                                                phi_2057_ = select(_e983, _e991, _e1041);
+                                                                                phi_2058_ = select(_e991, _e987, _e1041);
                                                                             }
-                                                                            let _e1511 = phi_2051_;
-                                                                            let _e1513 = phi_2052_;
-                                                                            let _e1515 = phi_2053_;
-                                                                            let _e1517 = phi_2054_;
-                                                                            let _e1519 = phi_2055_;
-                                                                            let _e1521 = phi_2056_;
-                                                                            let _e1523 = phi_2057_;
-                                                                            let _e1525 = phi_2058_;
-                                                                            let _e1532 = ((_e1523.y * _e1521.z) - (_e1521.y * _e1523.z));
-                                                                            let _e1537 = ((_e1523.z * _e1521.x) - (_e1521.z * _e1523.x));
-                                                                            let _e1540 = ((_e1523.x * _e1521.y) - (_e1521.x * _e1523.y));
-                                                                            if (_e1340 >= _e1344) {
-                                                                                phi_2095_ = select(true, false, (_e1340 >= _e1348));
+                                                                            let _e1047 = phi_2051_;
+                                                                            let _e1049 = phi_2052_;
+                                                                            let _e1051 = phi_2053_;
+                                                                            let _e1053 = phi_2054_;
+                                                                            let _e1055 = phi_2055_;
+                                                                            let _e1057 = phi_2056_;
+                                                                            let _e1059 = phi_2057_;
+                                                                            let _e1061 = phi_2058_;
+                                                                            let _e1068 = ((_e1059.y * _e1057.z) - (_e1057.y * _e1059.z));
+                                                                            let _e1073 = ((_e1059.z * _e1057.x) - (_e1057.z * _e1059.x));
+                                                                            let _e1076 = ((_e1059.x * _e1057.y) - (_e1057.x * _e1059.y));
+                                                                            if (_e876 >= _e880) {
+                                                                                phi_2095_ = select(true, false, (_e876 >= _e884));
                                                                             } else {
                                                                                 phi_2095_ = true;
                                                                             }
-                                                                            let _e1545 = phi_2095_;
-                                                                            if _e1545 {
-                                                                                phi_2104_ = select(_e1443, _e1442, vec3((_e1344 >= _e1348)));
+                                                                            let _e1081 = phi_2095_;
+                                                                            if _e1081 {
+                                                                                phi_2104_ = select(_e979, _e978, vec3((_e880 >= _e884)));
                                                                             } else {
-                                                                                phi_2104_ = _e1441;
+                                                                                phi_2104_ = _e977;
                                                                             }
-                                                                            let _e1550 = phi_2104_;
-                                                                            let _e1561 = (((_e1532 * (_e1550.x - _e321)) + (_e1537 * (_e1550.y - _e388))) + (_e1540 * (_e1550.z - _e454)));
-                                                                            let _e1566 = (((_e1532 * _e361) + (_e1537 * _e427)) + (_e1540 * _e493));
-                                                                            let _e1567 = (_e1513 - _e1517);
-                                                                            let _e1568 = (_e1511 - _e1515);
-                                                                            let _e1576 = (-(((_e1517 * _e1567) + (_e1515 * _e1568))) / ((_e1567 * _e1567) + (_e1568 * _e1568)));
-                                                                            let _e1578 = select(1f, _e1576, (_e1576 < 1f));
-                                                                            let _e1580 = select(0f, _e1578, (_e1578 > 0f));
-                                                                            let _e1593 = ((_e1519.x + (_e1525.x * _e1580)) - _e321);
-                                                                            let _e1594 = ((_e1519.y + (_e1525.y * _e1580)) - _e388);
-                                                                            let _e1595 = ((_e1519.z + (_e1525.z * _e1580)) - _e454);
-                                                                            let _e1596 = (_e1595 / _e493);
-                                                                            let _e1608 = bitcast<f32>((bitcast<u32>(_e1593) & 2147483647u));
-                                                                            let _e1611 = bitcast<f32>((bitcast<u32>(_e1594) & 2147483647u));
-                                                                            let _e1613 = select(_e1611, _e1608, (_e1608 > _e1611));
-                                                                            let _e1616 = bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u));
-                                                                            let _e1618 = select(_e1616, _e1613, (_e1613 > _e1616));
-                                                                            let _e1624 = bitcast<f32>((bitcast<u32>(_e1532) & 2147483647u));
-                                                                            let _e1627 = bitcast<f32>((bitcast<u32>(_e1537) & 2147483647u));
-                                                                            let _e1629 = select(_e1627, _e1624, (_e1624 > _e1627));
-                                                                            let _e1632 = bitcast<f32>((bitcast<u32>(_e1540) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1532 * _e1593) + (_e1537 * _e1594)) + (_e1540 * _e1595)) - _e1561)) & 2147483647u)) <= ((0.0000009536743f * select(_e1498, _e1618, (_e1618 > _e1498))) * select(_e1632, _e1629, (_e1629 > _e1632)))) {
-                                                                                let _e1642 = bitcast<f32>((bitcast<u32>(_e1523.x) & 2147483647u));
-                                                                                let _e1645 = bitcast<f32>((bitcast<u32>(_e1523.y) & 2147483647u));
-                                                                                let _e1647 = select(_e1645, _e1642, (_e1642 > _e1645));
-                                                                                let _e1650 = bitcast<f32>((bitcast<u32>(_e1523.z) & 2147483647u));
-                                                                                let _e1656 = bitcast<f32>((bitcast<u32>(_e1521.x) & 2147483647u));
-                                                                                let _e1659 = bitcast<f32>((bitcast<u32>(_e1521.y) & 2147483647u));
-                                                                                let _e1661 = select(_e1659, _e1656, (_e1656 > _e1659));
-                                                                                let _e1664 = bitcast<f32>((bitcast<u32>(_e1521.z) & 2147483647u));
-                                                                                let _e1668 = (bitcast<f32>((bitcast<u32>(_e1566) & 2147483647u)) > ((0.0000038146973f * select(_e1650, _e1647, (_e1647 > _e1650))) * select(_e1664, _e1661, (_e1661 > _e1664))));
-                                                                                if _e1668 {
-                                                                                    phi_2269_ = (_e1561 / _e1566);
+                                                                            let _e1086 = phi_2104_;
+                                                                            let _e1097 = (((_e1068 * (_e1086.x - _e321)) + (_e1073 * (_e1086.y - _e388))) + (_e1076 * (_e1086.z - _e454)));
+                                                                            let _e1102 = (((_e1068 * _e361) + (_e1073 * _e427)) + (_e1076 * _e493));
+                                                                            let _e1103 = (_e1049 - _e1053);
+                                                                            let _e1104 = (_e1047 - _e1051);
+                                                                            let _e1112 = (-(((_e1053 * _e1103) + (_e1051 * _e1104))) / ((_e1103 * _e1103) + (_e1104 * _e1104)));
+                                                                            let _e1114 = select(1f, _e1112, (_e1112 < 1f));
+                                                                            let _e1116 = select(0f, _e1114, (_e1114 > 0f));
+                                                                            let _e1129 = ((_e1055.x + (_e1061.x * _e1116)) - _e321);
+                                                                            let _e1130 = ((_e1055.y + (_e1061.y * _e1116)) - _e388);
+                                                                            let _e1131 = ((_e1055.z + (_e1061.z * _e1116)) - _e454);
+                                                                            let _e1132 = (_e1131 / _e493);
+                                                                            let _e1144 = bitcast<f32>((bitcast<u32>(_e1129) & 2147483647u));
+                                                                            let _e1147 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
+                                                                            let _e1149 = select(_e1147, _e1144, (_e1144 > _e1147));
+                                                                            let _e1152 = bitcast<f32>((bitcast<u32>(_e1131) & 2147483647u));
+                                                                            let _e1154 = select(_e1152, _e1149, (_e1149 > _e1152));
+                                                                            let _e1160 = bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u));
+                                                                            let _e1163 = bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u));
+                                                                            let _e1165 = select(_e1163, _e1160, (_e1160 > _e1163));
+                                                                            let _e1168 = bitcast<f32>((bitcast<u32>(_e1076) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1068 * _e1129) + (_e1073 * _e1130)) + (_e1076 * _e1131)) - _e1097)) & 2147483647u)) <= ((0.0000009536743f * select(_e1034, _e1154, (_e1154 > _e1034))) * select(_e1168, _e1165, (_e1165 > _e1168)))) {
+                                                                                let _e1178 = bitcast<f32>((bitcast<u32>(_e1059.x) & 2147483647u));
+                                                                                let _e1181 = bitcast<f32>((bitcast<u32>(_e1059.y) & 2147483647u));
+                                                                                let _e1183 = select(_e1181, _e1178, (_e1178 > _e1181));
+                                                                                let _e1186 = bitcast<f32>((bitcast<u32>(_e1059.z) & 2147483647u));
+                                                                                let _e1192 = bitcast<f32>((bitcast<u32>(_e1057.x) & 2147483647u));
+                                                                                let _e1195 = bitcast<f32>((bitcast<u32>(_e1057.y) & 2147483647u));
+                                                                                let _e1197 = select(_e1195, _e1192, (_e1192 > _e1195));
+                                                                                let _e1200 = bitcast<f32>((bitcast<u32>(_e1057.z) & 2147483647u));
+                                                                                let _e1204 = (bitcast<f32>((bitcast<u32>(_e1102) & 2147483647u)) > ((0.0000038146973f * select(_e1186, _e1183, (_e1183 > _e1186))) * select(_e1200, _e1197, (_e1197 > _e1200))));
+                                                                                if _e1204 {
+                                                                                    phi_2269_ = (_e1097 / _e1102);
                                                                                 } else {
                                                                                     phi_2269_ = f32();
                                                                                 }
-                                                                                let _e1671 = phi_2269_;
-                                                                                phi_2271_ = _e1671;
-                                                                                phi_2272_ = select(true, false, _e1668);
+                                                                                let _e1207 = phi_2269_;
+                                                                                phi_2271_ = _e1207;
+                                                                                phi_2272_ = select(true, false, _e1204);
                                                                             } else {
                                                                                 phi_2271_ = f32();
                                                                                 phi_2272_ = true;
                                                                             }
-                                                                            let _e1674 = phi_2271_;
-                                                                            let _e1676 = phi_2272_;
-                                                                            if _e1676 {
-                                                                                let _e1684 = (((_e1532 * (_e1593 - (_e361 * _e1596))) + (_e1537 * (_e1594 - (_e427 * _e1596)))) / _e1566);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1684) & 2147483647u)) <= _e1498) {
-                                                                                    phi_2292_ = (_e1596 + _e1684);
+                                                                            let _e1210 = phi_2271_;
+                                                                            let _e1212 = phi_2272_;
+                                                                            if _e1212 {
+                                                                                let _e1220 = (((_e1068 * (_e1129 - (_e361 * _e1132))) + (_e1073 * (_e1130 - (_e427 * _e1132)))) / _e1102);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u)) <= _e1034) {
+                                                                                    phi_2292_ = (_e1132 + _e1220);
                                                                                 } else {
-                                                                                    phi_2292_ = _e1596;
+                                                                                    phi_2292_ = _e1132;
                                                                                 }
-                                                                                let _e1691 = phi_2292_;
-                                                                                phi_2293_ = _e1691;
+                                                                                let _e1227 = phi_2292_;
+                                                                                phi_2293_ = _e1227;
                                                                             } else {
-                                                                                phi_2293_ = _e1674;
+                                                                                phi_2293_ = _e1210;
                                                                             }
-                                                                            let _e1693 = phi_2293_;
-                                                                            let _e1695 = select(_e1431, _e1693, (_e1693 < _e1431));
-                                                                            let _e1697 = select(_e1423, _e1695, (_e1695 > _e1423));
-                                                                            if (_e1697 >= _e607) {
-                                                                                let _e1699 = (_e1697 <= _e1175.member.member_1);
-                                                                                if _e1699 {
-                                                                                    let _e1700 = (1f / _e1350);
-                                                                                    phi_2316_ = type_22(_e1697, (_e1344 * _e1700), (_e1348 * _e1700), _e1210);
+                                                                            let _e1229 = phi_2293_;
+                                                                            let _e1231 = select(_e967, _e1229, (_e1229 < _e967));
+                                                                            let _e1233 = select(_e959, _e1231, (_e1231 > _e959));
+                                                                            if (_e1233 >= _e607) {
+                                                                                let _e1235 = (_e1233 <= _e711.member.member_1);
+                                                                                if _e1235 {
+                                                                                    let _e1236 = (1f / _e886);
+                                                                                    phi_2316_ = type_22(_e1233, (_e880 * _e1236), (_e884 * _e1236), _e746);
                                                                                 } else {
                                                                                     phi_2316_ = type_22();
                                                                                 }
-                                                                                let _e1705 = phi_2316_;
-                                                                                phi_2318_ = _e1705;
-                                                                                phi_2319_ = select(true, false, _e1699);
+                                                                                let _e1241 = phi_2316_;
+                                                                                phi_2318_ = _e1241;
+                                                                                phi_2319_ = select(true, false, _e1235);
                                                                             } else {
                                                                                 phi_2318_ = type_22();
                                                                                 phi_2319_ = true;
                                                                             }
-                                                                            let _e1708 = phi_2318_;
-                                                                            let _e1710 = phi_2319_;
-                                                                            if _e1710 {
+                                                                            let _e1244 = phi_2318_;
+                                                                            let _e1246 = phi_2319_;
+                                                                            if _e1246 {
                                                                                 phi_2323_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2323_ = _e1708;
+                                                                                phi_2323_ = _e1244;
                                                                             }
-                                                                            let _e1712 = phi_2323_;
-                                                                            phi_2324_ = _e1712;
+                                                                            let _e1248 = phi_2323_;
+                                                                            phi_2324_ = _e1248;
                                                                         }
-                                                                        let _e1714 = phi_2324_;
-                                                                        phi_2325_ = _e1714;
-                                                                        phi_2326_ = _e1440;
+                                                                        let _e1250 = phi_2324_;
+                                                                        phi_2325_ = _e1250;
+                                                                        phi_2326_ = _e976;
                                                                     }
-                                                                    let _e1716 = phi_2325_;
-                                                                    let _e1718 = phi_2326_;
-                                                                    phi_2330_ = _e1716;
-                                                                    phi_2331_ = _e1718;
+                                                                    let _e1252 = phi_2325_;
+                                                                    let _e1254 = phi_2326_;
+                                                                    phi_2330_ = _e1252;
+                                                                    phi_2331_ = _e1254;
                                                                 }
-                                                                let _e1720 = phi_2330_;
-                                                                let _e1722 = phi_2331_;
-                                                                phi_2332_ = _e1720;
-                                                                phi_2333_ = _e1375;
-                                                                phi_2334_ = _e1722;
+                                                                let _e1256 = phi_2330_;
+                                                                let _e1258 = phi_2331_;
+                                                                phi_2332_ = _e1256;
+                                                                phi_2333_ = _e911;
+                                                                phi_2334_ = _e1258;
                                                             }
-                                                            let _e1724 = phi_2332_;
-                                                            let _e1726 = phi_2333_;
-                                                            let _e1728 = phi_2334_;
-                                                            phi_2335_ = _e1724;
-                                                            phi_2336_ = _e1726;
-                                                            phi_2337_ = _e1728;
+                                                            let _e1260 = phi_2332_;
+                                                            let _e1262 = phi_2333_;
+                                                            let _e1264 = phi_2334_;
+                                                            phi_2335_ = _e1260;
+                                                            phi_2336_ = _e1262;
+                                                            phi_2337_ = _e1264;
                                                         }
-                                                        let _e1730 = phi_2335_;
-                                                        let _e1732 = phi_2336_;
-                                                        let _e1734 = phi_2337_;
-                                                        phi_2345_ = _e1730;
-                                                        phi_2346_ = select(_e1734, true, _e1732);
+                                                        let _e1266 = phi_2335_;
+                                                        let _e1268 = phi_2336_;
+                                                        let _e1270 = phi_2337_;
+                                                        phi_2345_ = _e1266;
+                                                        phi_2346_ = select(_e1270, true, _e1268);
                                                     } else {
                                                         phi_2345_ = type_22();
                                                         phi_2346_ = true;
                                                     }
-                                                    let _e1737 = phi_2345_;
-                                                    let _e1739 = phi_2346_;
-                                                    if _e1739 {
+                                                    let _e1273 = phi_2345_;
+                                                    let _e1275 = phi_2346_;
+                                                    if _e1275 {
                                                         phi_2350_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2350_ = _e1737;
+                                                        phi_2350_ = _e1273;
                                                     }
-                                                    let _e1741 = phi_2350_;
-                                                    if (_e1741.member_3 != 4294967295u) {
-                                                        if (_e1210 != _e613) {
-                                                            if (_e1741.member < _e1175.member.member.member) {
+                                                    let _e1277 = phi_2350_;
+                                                    if (_e1277.member_3 != 4294967295u) {
+                                                        if (_e746 != _e613) {
+                                                            if (_e1277.member < _e711.member.member.member) {
                                                                 phi_2376_ = true;
                                                             } else {
-                                                                if (_e1741.member == _e1175.member.member.member) {
-                                                                    phi_2375_ = (_e1741.member_3 < _e1175.member.member.member_3);
+                                                                if (_e1277.member == _e711.member.member.member) {
+                                                                    phi_2375_ = (_e1277.member_3 < _e711.member.member.member_3);
                                                                 } else {
                                                                     phi_2375_ = false;
                                                                 }
-                                                                let _e1756 = phi_2375_;
-                                                                phi_2376_ = _e1756;
+                                                                let _e1292 = phi_2375_;
+                                                                phi_2376_ = _e1292;
                                                             }
-                                                            let _e1758 = phi_2376_;
-                                                            if _e1758 {
-                                                                phi_2383_ = type_42(type_39(_e1741, _e1741.member), _e1202.member_1, _e1202.member_2);
+                                                            let _e1294 = phi_2376_;
+                                                            if _e1294 {
+                                                                phi_2383_ = type_42(type_39(_e1277, _e1277.member), _e738.member_1, _e738.member_2);
                                                             } else {
-                                                                phi_2383_ = _e1202;
+                                                                phi_2383_ = _e738;
                                                             }
-                                                            let _e1765 = phi_2383_;
-                                                            phi_2384_ = _e1765;
+                                                            let _e1301 = phi_2383_;
+                                                            phi_2384_ = _e1301;
                                                         } else {
-                                                            phi_2384_ = _e1202;
+                                                            phi_2384_ = _e738;
                                                         }
-                                                        let _e1767 = phi_2384_;
-                                                        phi_2385_ = _e1767;
+                                                        let _e1303 = phi_2384_;
+                                                        phi_2385_ = _e1303;
                                                     } else {
-                                                        phi_2385_ = _e1202;
+                                                        phi_2385_ = _e738;
                                                     }
-                                                    let _e1769 = phi_2385_;
-                                                    phi_1310_ = _e1769;
+                                                    let _e1305 = phi_2385_;
+                                                    phi_1310_ = _e1305;
                                                 } else {
                                                     phi_1310_ = type_42();
                                                 }
-                                                let _e1771 = phi_1310_;
+                                                let _e1307 = phi_1310_;
                                                 continue;
                                                 continuing {
-                                                    phi_1309_ = _e1771;
-                                                    phi_1312_ = _e1190;
-                                                    phi_4108_ = _e654;
-                                                    break if !(_e1196);
+                                                    phi_1309_ = _e1307;
+                                                    phi_1312_ = _e726;
+                                                    phi_4114_ = _e654;
+                                                    break if !(_e732);
                                                 }
                                             }
-                                            let _e1774 = phi_4108_;
-                                            phi_4268_ = _e1774;
-                                            if _e1774 {
+                                            let _e1310 = phi_4114_;
+                                            phi_4274_ = _e1310;
+                                            if _e1310 {
                                                 break;
                                             }
-                                            phi_4272_ = _e1774;
-                                            let _e2109 = local_12;
-                                            phi_3625_ = _e2109;
-                                            phi_3626_ = false;
-                                            phi_3627_ = _e698;
-                                            phi_3628_ = _e700;
+                                            phi_4360_ = _e1310;
+                                            let _e2098 = local_12;
+                                            phi_2386_ = _e2098;
+                                        } else {
+                                            phi_4360_ = _e654;
+                                            phi_2386_ = _e656;
+                                        }
+                                        let _e1312 = phi_4360_;
+                                        let _e1314 = phi_2386_;
+                                        if _e704 {
+                                            phi_3620_ = type_42();
+                                            phi_3621_ = bool();
+                                            phi_3622_ = u32();
+                                            phi_3623_ = type_53();
                                         } else {
                                             if (_e700.member_1 >= _e94) {
-                                                phi_3156_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                                phi_3152_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
                                                 if (_e700.member_1 < _e94) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e711 = (_e274 * 2u);
-                                                let _e713 = ((1u + _e711) % 7u);
-                                                if (_e713 < 7u) {
+                                                let _e1317 = (_e274 * 2u);
+                                                let _e1319 = ((1u + _e1317) % 7u);
+                                                if (_e1319 < 7u) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e718 = global_7.member[_e700.member_1][_e713];
-                                                let _e720 = ((_e711 + 2u) % 7u);
-                                                if (_e720 < 7u) {
+                                                let _e1324 = global_7.member[_e700.member_1][_e1319];
+                                                let _e1326 = ((_e1317 + 2u) % 7u);
+                                                if (_e1326 < 7u) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e725 = global_7.member[_e700.member_1][_e720];
-                                                let _e726 = (_e273 * 2u);
-                                                let _e728 = ((1u + _e726) % 7u);
-                                                if (_e728 < 7u) {
+                                                let _e1331 = global_7.member[_e700.member_1][_e1326];
+                                                let _e1332 = (_e273 * 2u);
+                                                let _e1334 = ((1u + _e1332) % 7u);
+                                                if (_e1334 < 7u) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e733 = global_7.member[_e700.member_1][_e728];
-                                                let _e735 = ((_e726 + 2u) % 7u);
-                                                if (_e735 < 7u) {
+                                                let _e1339 = global_7.member[_e700.member_1][_e1334];
+                                                let _e1341 = ((_e1332 + 2u) % 7u);
+                                                if (_e1341 < 7u) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e740 = global_7.member[_e700.member_1][_e735];
-                                                let _e741 = (_e275 * 2u);
-                                                let _e743 = ((1u + _e741) % 7u);
-                                                if (_e743 < 7u) {
+                                                let _e1346 = global_7.member[_e700.member_1][_e1341];
+                                                let _e1347 = (_e275 * 2u);
+                                                let _e1349 = ((1u + _e1347) % 7u);
+                                                if (_e1349 < 7u) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e748 = global_7.member[_e700.member_1][_e743];
-                                                let _e750 = ((_e741 + 2u) % 7u);
-                                                if (_e750 < 7u) {
+                                                let _e1354 = global_7.member[_e700.member_1][_e1349];
+                                                let _e1356 = ((_e1347 + 2u) % 7u);
+                                                if (_e1356 < 7u) {
                                                 } else {
-                                                    phi_4268_ = true;
+                                                    phi_4274_ = true;
                                                     break;
                                                 }
-                                                let _e755 = global_7.member[_e700.member_1][_e750];
-                                                let _e778 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.x - _e700.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e779 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.y - _e700.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e780 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.z - _e700.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e782 = select(_e148, _e778, (_e778 > _e148));
-                                                let _e784 = select(_e148, _e779, (_e779 > _e148));
-                                                let _e786 = select(_e148, _e780, (_e780 > _e148));
-                                                let _e817 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e718 & 2097151u))) - 8388608f) * _e782));
-                                                let _e822 = (bitcast<i32>((_e718 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e825 = bitcast<f32>((_e817 & bitcast<u32>(_e822)));
-                                                let _e826 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 2097151u))) - 8388608f) * _e784));
-                                                let _e831 = (bitcast<i32>((_e733 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e834 = bitcast<f32>((_e826 & bitcast<u32>(_e831)));
-                                                let _e835 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e748 & 2097151u))) - 8388608f) * _e786));
-                                                let _e840 = (bitcast<i32>((_e748 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e843 = bitcast<f32>((_e835 & bitcast<u32>(_e840)));
-                                                let _e847 = bitcast<f32>((_e817 & bitcast<u32>(~(_e822))));
-                                                let _e851 = bitcast<f32>((_e826 & bitcast<u32>(~(_e831))));
-                                                let _e855 = bitcast<f32>((_e835 & bitcast<u32>(~(_e840))));
-                                                let _e856 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 2097151u))) - 8388608f) * _e782));
-                                                let _e861 = (bitcast<i32>((_e725 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e864 = bitcast<f32>((_e856 & bitcast<u32>(_e861)));
-                                                let _e865 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 2097151u))) - 8388608f) * _e784));
-                                                let _e870 = (bitcast<i32>((_e740 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e873 = bitcast<f32>((_e865 & bitcast<u32>(_e870)));
-                                                let _e874 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e755 & 2097151u))) - 8388608f) * _e786));
-                                                let _e879 = (bitcast<i32>((_e755 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e882 = bitcast<f32>((_e874 & bitcast<u32>(_e879)));
-                                                let _e886 = bitcast<f32>((_e856 & bitcast<u32>(~(_e861))));
-                                                let _e890 = bitcast<f32>((_e865 & bitcast<u32>(~(_e870))));
-                                                let _e894 = bitcast<f32>((_e874 & bitcast<u32>(~(_e879))));
-                                                let _e924 = global_7.member[_e700.member_1][0u];
-                                                let _e928 = global_7.member[_e700.member_1][2u];
-                                                let _e932 = global_7.member[_e700.member_1][4u];
-                                                let _e936 = global_7.member[_e700.member_1][6u];
-                                                let _e948 = (((_e928 >> bitcast<u32>(22i)) | ((_e932 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e936 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e949 = (_e924 & 268435455u);
-                                                let _e950 = (_e948 & 268435455u);
-                                                let _e953 = ((_e924 >> bitcast<u32>(28u)) & 7u);
-                                                let _e961 = ((_e924 >> bitcast<u32>(31i)) | (((_e948 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e962 = (_e953 != 0u);
-                                                if (_e953 == 0u) {
-                                                    phi_3118_ = _e949;
+                                                let _e1361 = global_7.member[_e700.member_1][_e1356];
+                                                let _e1384 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.x - _e700.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1385 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.y - _e700.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1386 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.z - _e700.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1388 = select(_e148, _e1384, (_e1384 > _e148));
+                                                let _e1390 = select(_e148, _e1385, (_e1385 > _e148));
+                                                let _e1392 = select(_e148, _e1386, (_e1386 > _e148));
+                                                let _e1423 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1324 & 2097151u))) - 8388608f) * _e1388));
+                                                let _e1428 = (bitcast<i32>((_e1324 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1431 = bitcast<f32>((_e1423 & bitcast<u32>(_e1428)));
+                                                let _e1432 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1339 & 2097151u))) - 8388608f) * _e1390));
+                                                let _e1437 = (bitcast<i32>((_e1339 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1440 = bitcast<f32>((_e1432 & bitcast<u32>(_e1437)));
+                                                let _e1441 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1354 & 2097151u))) - 8388608f) * _e1392));
+                                                let _e1446 = (bitcast<i32>((_e1354 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1449 = bitcast<f32>((_e1441 & bitcast<u32>(_e1446)));
+                                                let _e1453 = bitcast<f32>((_e1423 & bitcast<u32>(~(_e1428))));
+                                                let _e1457 = bitcast<f32>((_e1432 & bitcast<u32>(~(_e1437))));
+                                                let _e1461 = bitcast<f32>((_e1441 & bitcast<u32>(~(_e1446))));
+                                                let _e1462 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1331 & 2097151u))) - 8388608f) * _e1388));
+                                                let _e1467 = (bitcast<i32>((_e1331 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1470 = bitcast<f32>((_e1462 & bitcast<u32>(_e1467)));
+                                                let _e1471 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1346 & 2097151u))) - 8388608f) * _e1390));
+                                                let _e1476 = (bitcast<i32>((_e1346 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1479 = bitcast<f32>((_e1471 & bitcast<u32>(_e1476)));
+                                                let _e1480 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1361 & 2097151u))) - 8388608f) * _e1392));
+                                                let _e1485 = (bitcast<i32>((_e1361 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1488 = bitcast<f32>((_e1480 & bitcast<u32>(_e1485)));
+                                                let _e1492 = bitcast<f32>((_e1462 & bitcast<u32>(~(_e1467))));
+                                                let _e1496 = bitcast<f32>((_e1471 & bitcast<u32>(~(_e1476))));
+                                                let _e1500 = bitcast<f32>((_e1480 & bitcast<u32>(~(_e1485))));
+                                                let _e1530 = global_7.member[_e700.member_1][0u];
+                                                let _e1534 = global_7.member[_e700.member_1][2u];
+                                                let _e1538 = global_7.member[_e700.member_1][4u];
+                                                let _e1542 = global_7.member[_e700.member_1][6u];
+                                                let _e1554 = (((_e1534 >> bitcast<u32>(22i)) | ((_e1538 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1542 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1555 = (_e1530 & 268435455u);
+                                                let _e1556 = (_e1554 & 268435455u);
+                                                let _e1559 = ((_e1530 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1567 = ((_e1530 >> bitcast<u32>(31i)) | (((_e1554 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1568 = (_e1559 != 0u);
+                                                if (_e1559 == 0u) {
+                                                    phi_3114_ = _e1555;
                                                 } else {
-                                                    if (_e953 == 7u) {
-                                                        phi_3117_ = 2147483648u;
+                                                    if (_e1559 == 7u) {
+                                                        phi_3113_ = 2147483648u;
                                                     } else {
-                                                        phi_3117_ = ((2147483648u | (_e953 << bitcast<u32>(28u))) | (_e950 & 268435455u));
+                                                        phi_3113_ = ((2147483648u | (_e1559 << bitcast<u32>(28u))) | (_e1556 & 268435455u));
                                                     }
-                                                    let _e971 = phi_3117_;
-                                                    phi_3118_ = _e971;
+                                                    let _e1577 = phi_3113_;
+                                                    phi_3114_ = _e1577;
                                                 }
-                                                let _e973 = phi_3118_;
-                                                if _e962 {
-                                                    let _e974 = (_e953 != 7u);
-                                                    if _e974 {
-                                                        phi_3128_ = (_e950 + _e953);
+                                                let _e1579 = phi_3114_;
+                                                if _e1568 {
+                                                    let _e1580 = (_e1559 != 7u);
+                                                    if _e1580 {
+                                                        phi_3124_ = (_e1556 + _e1559);
                                                     } else {
-                                                        phi_3128_ = u32();
+                                                        phi_3124_ = u32();
                                                     }
-                                                    let _e977 = phi_3128_;
-                                                    phi_3130_ = _e977;
-                                                    phi_3131_ = select(true, false, _e974);
+                                                    let _e1583 = phi_3124_;
+                                                    phi_3126_ = _e1583;
+                                                    phi_3127_ = select(true, false, _e1580);
                                                 } else {
-                                                    phi_3130_ = u32();
-                                                    phi_3131_ = true;
+                                                    phi_3126_ = u32();
+                                                    phi_3127_ = true;
                                                 }
-                                                let _e980 = phi_3130_;
-                                                let _e982 = phi_3131_;
-                                                if (_e961 == 0u) {
-                                                    phi_3152_ = (_e949 + select(0u, 1u, !(_e962)));
+                                                let _e1586 = phi_3126_;
+                                                let _e1588 = phi_3127_;
+                                                if (_e1567 == 0u) {
+                                                    phi_3148_ = (_e1555 + select(0u, 1u, !(_e1568)));
                                                 } else {
-                                                    if (_e961 == 7u) {
-                                                        phi_3151_ = 2147483648u;
+                                                    if (_e1567 == 7u) {
+                                                        phi_3147_ = 2147483648u;
                                                     } else {
-                                                        phi_3151_ = ((2147483648u | (_e961 << bitcast<u32>(28u))) | (select(_e980, _e950, _e982) & 268435455u));
+                                                        phi_3147_ = ((2147483648u | (_e1567 << bitcast<u32>(28u))) | (select(_e1586, _e1556, _e1588) & 268435455u));
                                                     }
-                                                    let _e995 = phi_3151_;
-                                                    phi_3152_ = _e995;
+                                                    let _e1601 = phi_3147_;
+                                                    phi_3148_ = _e1601;
                                                 }
-                                                let _e997 = phi_3152_;
-                                                phi_3156_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e700.member.member.x + _e825), (_e700.member.member.x + _e847), (_e700.member.member_1.x - _e864), (_e700.member.member_1.x - _e886)), vec4<f32>((_e700.member.member.y + _e834), (_e700.member.member.y + _e851), (_e700.member.member_1.y - _e873), (_e700.member.member_1.y - _e890)), vec4<f32>((_e700.member.member.z + _e843), (_e700.member.member.z + _e855), (_e700.member.member_1.z - _e882), (_e700.member.member_1.z - _e894))), type_53(type_34((_e700.member.member + vec4<f32>(_e825, _e834, _e843, 0f)), (_e700.member.member_1 - vec4<f32>(_e864, _e873, _e882, 0f))), _e973), type_53(type_34((_e700.member.member + vec4<f32>(_e847, _e851, _e855, 0f)), (_e700.member.member_1 - vec4<f32>(_e886, _e890, _e894, 0f))), _e997));
+                                                let _e1603 = phi_3148_;
+                                                phi_3152_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e700.member.member.x + _e1431), (_e700.member.member.x + _e1453), (_e700.member.member_1.x - _e1470), (_e700.member.member_1.x - _e1492)), vec4<f32>((_e700.member.member.y + _e1440), (_e700.member.member.y + _e1457), (_e700.member.member_1.y - _e1479), (_e700.member.member_1.y - _e1496)), vec4<f32>((_e700.member.member.z + _e1449), (_e700.member.member.z + _e1461), (_e700.member.member_1.z - _e1488), (_e700.member.member_1.z - _e1500))), type_53(type_34((_e700.member.member + vec4<f32>(_e1431, _e1440, _e1449, 0f)), (_e700.member.member_1 - vec4<f32>(_e1470, _e1479, _e1488, 0f))), _e1579), type_53(type_34((_e700.member.member + vec4<f32>(_e1453, _e1457, _e1461, 0f)), (_e700.member.member_1 - vec4<f32>(_e1492, _e1496, _e1500, 0f))), _e1603));
                                             }
-                                            let _e1002 = phi_3156_;
-                                            let _e1021 = ((_e1002.member[0].x - _e359) * _e364);
-                                            let _e1022 = ((_e1002.member[0].y - _e359) * _e364);
-                                            let _e1023 = ((_e1002.member[0].z - _e360) * _e364);
-                                            let _e1024 = ((_e1002.member[0].w - _e360) * _e364);
-                                            let _e1034 = ((_e1002.member[1].x - _e425) * _e430);
-                                            let _e1035 = ((_e1002.member[1].y - _e425) * _e430);
-                                            let _e1036 = ((_e1002.member[1].z - _e426) * _e430);
-                                            let _e1037 = ((_e1002.member[1].w - _e426) * _e430);
-                                            let _e1047 = ((_e1002.member[2].x - _e491) * _e496);
-                                            let _e1048 = ((_e1002.member[2].y - _e491) * _e496);
-                                            let _e1049 = ((_e1002.member[2].z - _e492) * _e496);
-                                            let _e1050 = ((_e1002.member[2].w - _e492) * _e496);
-                                            let _e1052 = select(_e1049, _e1047, (_e1047 < _e1049));
-                                            let _e1054 = select(_e1050, _e1048, (_e1048 < _e1050));
-                                            let _e1056 = select(_e1049, _e1047, (_e1047 > _e1049));
-                                            let _e1058 = select(_e1050, _e1048, (_e1048 > _e1050));
-                                            let _e1060 = select(_e1023, _e1021, (_e1021 < _e1023));
-                                            let _e1062 = select(_e1024, _e1022, (_e1022 < _e1024));
-                                            let _e1064 = select(_e1036, _e1034, (_e1034 < _e1036));
-                                            let _e1066 = select(_e1037, _e1035, (_e1035 < _e1037));
-                                            let _e1068 = select(_e1064, _e1060, (_e1060 > _e1064));
-                                            let _e1070 = select(_e1066, _e1062, (_e1062 > _e1066));
-                                            let _e1072 = select(_e1052, _e1068, (_e1068 > _e1052));
-                                            let _e1074 = select(_e1054, _e1070, (_e1070 > _e1054));
-                                            let _e1076 = select(_e1023, _e1021, (_e1021 > _e1023));
-                                            let _e1078 = select(_e1024, _e1022, (_e1022 > _e1024));
-                                            let _e1080 = select(_e1036, _e1034, (_e1034 > _e1036));
-                                            let _e1082 = select(_e1037, _e1035, (_e1035 > _e1037));
-                                            let _e1084 = select(_e1080, _e1076, (_e1076 < _e1080));
-                                            let _e1086 = select(_e1082, _e1078, (_e1078 < _e1082));
-                                            let _e1091 = -(_e1052);
-                                            let _e1092 = -(_e1054);
-                                            let _e1099 = (select(_e1056, _e1084, (_e1084 < _e1056)) + (select(_e1091, _e1056, (_e1056 > _e1091)) * 0.0000019073523f));
-                                            let _e1100 = (select(_e1058, _e1086, (_e1086 < _e1058)) + (select(_e1092, _e1058, (_e1058 > _e1092)) * 0.0000019073523f));
-                                            let _e1102 = select(_e607, _e1072, (_e1072 > _e607));
-                                            let _e1104 = select(_e607, _e1074, (_e1074 > _e607));
-                                            let _e1109 = (_e1102 <= select(_e656.member.member_1, _e1099, (_e1099 < _e656.member.member_1)));
-                                            let _e1110 = (_e1104 <= select(_e656.member.member_1, _e1100, (_e1100 < _e656.member.member_1)));
-                                            let _e1111 = (_e1102 <= _e1104);
-                                            if _e1109 {
-                                                if _e1110 {
-                                                    if _e1111 {
-                                                        phi_3521_ = _e1002.member_2;
+                                            let _e1608 = phi_3152_;
+                                            let _e1627 = ((_e1608.member[0].x - _e359) * _e364);
+                                            let _e1628 = ((_e1608.member[0].y - _e359) * _e364);
+                                            let _e1629 = ((_e1608.member[0].z - _e360) * _e364);
+                                            let _e1630 = ((_e1608.member[0].w - _e360) * _e364);
+                                            let _e1640 = ((_e1608.member[1].x - _e425) * _e430);
+                                            let _e1641 = ((_e1608.member[1].y - _e425) * _e430);
+                                            let _e1642 = ((_e1608.member[1].z - _e426) * _e430);
+                                            let _e1643 = ((_e1608.member[1].w - _e426) * _e430);
+                                            let _e1653 = ((_e1608.member[2].x - _e491) * _e496);
+                                            let _e1654 = ((_e1608.member[2].y - _e491) * _e496);
+                                            let _e1655 = ((_e1608.member[2].z - _e492) * _e496);
+                                            let _e1656 = ((_e1608.member[2].w - _e492) * _e496);
+                                            let _e1658 = select(_e1655, _e1653, (_e1653 < _e1655));
+                                            let _e1660 = select(_e1656, _e1654, (_e1654 < _e1656));
+                                            let _e1662 = select(_e1655, _e1653, (_e1653 > _e1655));
+                                            let _e1664 = select(_e1656, _e1654, (_e1654 > _e1656));
+                                            let _e1666 = select(_e1629, _e1627, (_e1627 < _e1629));
+                                            let _e1668 = select(_e1630, _e1628, (_e1628 < _e1630));
+                                            let _e1670 = select(_e1642, _e1640, (_e1640 < _e1642));
+                                            let _e1672 = select(_e1643, _e1641, (_e1641 < _e1643));
+                                            let _e1674 = select(_e1670, _e1666, (_e1666 > _e1670));
+                                            let _e1676 = select(_e1672, _e1668, (_e1668 > _e1672));
+                                            let _e1678 = select(_e1658, _e1674, (_e1674 > _e1658));
+                                            let _e1680 = select(_e1660, _e1676, (_e1676 > _e1660));
+                                            let _e1682 = select(_e1629, _e1627, (_e1627 > _e1629));
+                                            let _e1684 = select(_e1630, _e1628, (_e1628 > _e1630));
+                                            let _e1686 = select(_e1642, _e1640, (_e1640 > _e1642));
+                                            let _e1688 = select(_e1643, _e1641, (_e1641 > _e1643));
+                                            let _e1690 = select(_e1686, _e1682, (_e1682 < _e1686));
+                                            let _e1692 = select(_e1688, _e1684, (_e1684 < _e1688));
+                                            let _e1697 = -(_e1658);
+                                            let _e1698 = -(_e1660);
+                                            let _e1705 = (select(_e1662, _e1690, (_e1690 < _e1662)) + (select(_e1697, _e1662, (_e1662 > _e1697)) * 0.0000019073523f));
+                                            let _e1706 = (select(_e1664, _e1692, (_e1692 < _e1664)) + (select(_e1698, _e1664, (_e1664 > _e1698)) * 0.0000019073523f));
+                                            let _e1708 = select(_e607, _e1678, (_e1678 > _e607));
+                                            let _e1710 = select(_e607, _e1680, (_e1680 > _e607));
+                                            let _e1715 = (_e1708 <= select(_e1314.member.member_1, _e1705, (_e1705 < _e1314.member.member_1)));
+                                            let _e1716 = (_e1710 <= select(_e1314.member.member_1, _e1706, (_e1706 < _e1314.member.member_1)));
+                                            let _e1717 = (_e1708 <= _e1710);
+                                            if _e1715 {
+                                                if _e1716 {
+                                                    if _e1717 {
+                                                        phi_3517_ = _e1608.member_2;
                                                     } else {
-                                                        phi_3521_ = _e1002.member_1;
+                                                        phi_3517_ = _e1608.member_1;
                                                     }
-                                                    let _e1115 = phi_3521_;
-                                                    let _e1137 = (_e698 % 128u);
-                                                    let _e1138 = (_e1137 < 128u);
-                                                    if _e1138 {
+                                                    let _e1721 = phi_3517_;
+                                                    let _e1742 = (_e698 % 128u);
+                                                    let _e1743 = (_e1742 < 128u);
+                                                    if _e1743 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1137] = _e1115.member_1;
-                                                    if _e1138 {
+                                                    local_8[_e1742] = _e1721.member_1;
+                                                    if _e1743 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1137] = _e1115.member.member.x;
-                                                    if _e1138 {
+                                                    local_7[_e1742] = _e1721.member.member.x;
+                                                    if _e1743 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1137] = _e1115.member.member.y;
-                                                    if _e1138 {
+                                                    local_6[_e1742] = _e1721.member.member.y;
+                                                    if _e1743 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1137] = _e1115.member.member.z;
-                                                    if _e1138 {
+                                                    local_5[_e1742] = _e1721.member.member.z;
+                                                    if _e1743 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1137] = _e1115.member.member_1.x;
-                                                    if _e1138 {
+                                                    local_4[_e1742] = _e1721.member.member_1.x;
+                                                    if _e1743 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1137] = _e1115.member.member_1.y;
-                                                    if _e1138 {
+                                                    local_3[_e1742] = _e1721.member.member_1.y;
+                                                    if _e1743 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1137] = _e1115.member.member_1.z;
-                                                    if _e1138 {
+                                                    local_2[_e1742] = _e1721.member.member_1.z;
+                                                    if _e1743 {
                                                     } else {
-                                                        phi_4268_ = true;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1137] = select(_e1104, _e1102, !(_e1111));
-                                                    if _e1111 {
-                                                        phi_3598_ = _e1002.member_1;
+                                                    local_9[_e1742] = select(_e1708, _e1710, _e1717);
+                                                    if _e1717 {
+                                                        phi_3593_ = _e1608.member_1;
                                                     } else {
-                                                        phi_3598_ = _e1002.member_2;
+                                                        phi_3593_ = _e1608.member_2;
                                                     }
-                                                    let _e1151 = phi_3598_;
-                                                    phi_3599_ = (_e698 + 1u);
-                                                    phi_3600_ = _e1151;
+                                                    let _e1756 = phi_3593_;
+                                                    phi_3594_ = (_e698 + 1u);
+                                                    phi_3595_ = _e1756;
                                                 } else {
-                                                    phi_3599_ = u32();
-                                                    phi_3600_ = type_53();
+                                                    phi_3594_ = u32();
+                                                    phi_3595_ = type_53();
                                                 }
-                                                let _e1153 = phi_3599_;
-                                                let _e1155 = phi_3600_;
-                                                phi_3602_ = _e1153;
-                                                phi_3603_ = _e1155;
-                                                phi_3604_ = select(true, false, _e1110);
+                                                let _e1758 = phi_3594_;
+                                                let _e1760 = phi_3595_;
+                                                phi_3597_ = _e1758;
+                                                phi_3598_ = _e1760;
+                                                phi_3599_ = select(true, false, _e1716);
                                             } else {
-                                                phi_3602_ = u32();
-                                                phi_3603_ = type_53();
-                                                phi_3604_ = true;
+                                                phi_3597_ = u32();
+                                                phi_3598_ = type_53();
+                                                phi_3599_ = true;
                                             }
-                                            let _e1158 = phi_3602_;
-                                            let _e1160 = phi_3603_;
-                                            let _e1162 = phi_3604_;
-                                            if _e1162 {
-                                                if _e1109 {
-                                                    phi_3613_ = _e1002.member_1;
+                                            let _e1763 = phi_3597_;
+                                            let _e1765 = phi_3598_;
+                                            let _e1767 = phi_3599_;
+                                            if _e1767 {
+                                                if _e1715 {
+                                                    phi_3608_ = _e1608.member_1;
                                                 } else {
-                                                    phi_3613_ = _e1002.member_2;
+                                                    phi_3608_ = _e1608.member_2;
                                                 }
-                                                let _e1166 = phi_3613_;
-                                                phi_3618_ = select(_e1110, true, _e1109);
-                                                phi_3620_ = _e1166;
+                                                let _e1771 = phi_3608_;
+                                                phi_3613_ = select(_e1716, true, _e1715);
+                                                phi_3615_ = _e1771;
                                             } else {
-                                                phi_3618_ = _e696;
-                                                phi_3620_ = _e1160;
+                                                phi_3613_ = _e696;
+                                                phi_3615_ = _e1765;
                                             }
-                                            let _e1169 = phi_3618_;
-                                            let _e1171 = phi_3620_;
-                                            phi_4272_ = _e654;
-                                            phi_3625_ = type_42(_e656.member, (_e656.member_1 + 1u), _e656.member_2);
-                                            phi_3626_ = _e1169;
-                                            phi_3627_ = select(_e1158, _e698, _e1162);
-                                            phi_3628_ = _e1171;
+                                            let _e1774 = phi_3613_;
+                                            let _e1776 = phi_3615_;
+                                            phi_3620_ = type_42(_e1314.member, (_e1314.member_1 + 1u), _e1314.member_2);
+                                            phi_3621_ = _e1774;
+                                            phi_3622_ = select(_e1763, _e698, _e1767);
+                                            phi_3623_ = _e1776;
                                         }
-                                        let _e1776 = phi_4272_;
-                                        let _e1778 = phi_3625_;
-                                        let _e1780 = phi_3626_;
-                                        let _e1782 = phi_3627_;
-                                        let _e1784 = phi_3628_;
-                                        phi_4271_ = _e1776;
-                                        phi_3629_ = _e1778;
-                                        phi_3630_ = _e1780;
-                                        phi_3631_ = (_e660 - 1u);
-                                        phi_3632_ = _e1782;
-                                        phi_3633_ = _e1784;
+                                        let _e1779 = phi_3620_;
+                                        let _e1781 = phi_3621_;
+                                        let _e1783 = phi_3622_;
+                                        let _e1785 = phi_3623_;
+                                        if _e704 {
+                                            phi_3631_ = _e1314;
+                                            phi_3634_ = _e700;
+                                        } else {
+                                            phi_3631_ = _e1779;
+                                            phi_3634_ = _e1785;
+                                        }
+                                        let _e1787 = phi_3631_;
+                                        let _e1789 = phi_3634_;
+                                        phi_4277_ = _e1312;
+                                        phi_3635_ = _e1787;
+                                        phi_3636_ = (_e658 - 1u);
+                                        phi_3637_ = select(_e1781, false, _e704);
+                                        phi_3638_ = select(_e1783, _e698, _e704);
+                                        phi_3639_ = _e1789;
                                     } else {
-                                        phi_4271_ = _e654;
-                                        phi_3629_ = _e656;
-                                        phi_3630_ = _e696;
-                                        phi_3631_ = _e660;
-                                        phi_3632_ = _e698;
-                                        phi_3633_ = _e700;
+                                        phi_4277_ = _e654;
+                                        phi_3635_ = _e656;
+                                        phi_3636_ = _e658;
+                                        phi_3637_ = _e696;
+                                        phi_3638_ = _e698;
+                                        phi_3639_ = _e700;
                                     }
-                                    let _e1786 = phi_4271_;
-                                    let _e1788 = phi_3629_;
-                                    let _e1790 = phi_3630_;
-                                    let _e1792 = phi_3631_;
-                                    let _e1794 = phi_3632_;
-                                    let _e1796 = phi_3633_;
-                                    phi_4270_ = _e1786;
-                                    phi_3634_ = _e1788;
-                                    phi_3635_ = _e1790;
-                                    phi_3636_ = _e1792;
-                                    phi_3637_ = _e1794;
-                                    phi_3638_ = _e1796;
+                                    let _e1793 = phi_4277_;
+                                    let _e1795 = phi_3635_;
+                                    let _e1797 = phi_3636_;
+                                    let _e1799 = phi_3637_;
+                                    let _e1801 = phi_3638_;
+                                    let _e1803 = phi_3639_;
+                                    phi_4276_ = _e1793;
+                                    phi_3640_ = _e1795;
+                                    phi_3641_ = _e1797;
+                                    phi_3642_ = _e1799;
+                                    phi_3643_ = _e1801;
+                                    phi_3644_ = _e1803;
                                 } else {
-                                    phi_4270_ = _e654;
-                                    phi_3634_ = type_42();
-                                    phi_3635_ = bool();
-                                    phi_3636_ = u32();
-                                    phi_3637_ = u32();
-                                    phi_3638_ = type_53();
+                                    phi_4276_ = _e654;
+                                    phi_3640_ = type_42();
+                                    phi_3641_ = u32();
+                                    phi_3642_ = bool();
+                                    phi_3643_ = u32();
+                                    phi_3644_ = type_53();
                                 }
-                                let _e1798 = phi_4270_;
-                                let _e1800 = phi_3634_;
-                                let _e1802 = phi_3635_;
-                                let _e1804 = phi_3636_;
-                                let _e1806 = phi_3637_;
-                                let _e1808 = phi_3638_;
-                                phi_4269_ = _e1798;
-                                phi_1184_ = _e1800;
-                                phi_1187_ = _e1802;
-                                phi_1189_ = _e1804;
-                                phi_1191_ = _e1806;
-                                phi_1193_ = _e1808;
-                                phi_3639_ = _e668;
+                                let _e1805 = phi_4276_;
+                                let _e1807 = phi_3640_;
+                                let _e1809 = phi_3641_;
+                                let _e1811 = phi_3642_;
+                                let _e1813 = phi_3643_;
+                                let _e1815 = phi_3644_;
+                                phi_4275_ = _e1805;
+                                phi_1184_ = _e1807;
+                                phi_1187_ = _e1809;
+                                phi_1189_ = _e1811;
+                                phi_1191_ = _e1813;
+                                phi_1193_ = _e1815;
+                                phi_3645_ = _e668;
                             } else {
-                                phi_4269_ = _e654;
+                                phi_4275_ = _e654;
                                 phi_1184_ = type_42();
-                                phi_1187_ = bool();
-                                phi_1189_ = u32();
+                                phi_1187_ = u32();
+                                phi_1189_ = bool();
                                 phi_1191_ = u32();
                                 phi_1193_ = type_53();
-                                phi_3639_ = false;
+                                phi_3645_ = false;
                             }
-                            let _e1810 = phi_4269_;
-                            let _e1812 = phi_1184_;
-                            let _e1814 = phi_1187_;
-                            let _e1816 = phi_1189_;
-                            let _e1818 = phi_1191_;
-                            let _e1820 = phi_1193_;
-                            let _e1822 = phi_3639_;
+                            let _e1817 = phi_4275_;
+                            let _e1819 = phi_1184_;
+                            let _e1821 = phi_1187_;
+                            let _e1823 = phi_1189_;
+                            let _e1825 = phi_1191_;
+                            let _e1827 = phi_1193_;
+                            let _e1829 = phi_3645_;
                             continue;
                             continuing {
-                                phi_4114_ = _e1810;
-                                phi_1183_ = _e1812;
-                                phi_1186_ = _e1814;
-                                phi_1188_ = _e1816;
-                                phi_1190_ = _e1818;
-                                phi_1192_ = _e1820;
-                                phi_4268_ = _e1810;
-                                break if !(_e1822);
+                                phi_4120_ = _e1817;
+                                phi_1183_ = _e1819;
+                                phi_1186_ = _e1821;
+                                phi_1188_ = _e1823;
+                                phi_1190_ = _e1825;
+                                phi_1192_ = _e1827;
+                                phi_4274_ = _e1817;
+                                break if !(_e1829);
                             }
                         }
-                        let _e1825 = phi_4268_;
-                        if _e1825 {
+                        let _e1832 = phi_4274_;
+                        if _e1832 {
                             break;
                         }
-                        let _e1827 = local_10;
-                        if (_e1827.member.member.member_3 != 4294967295u) {
-                            let _e1833 = bitcast<u32>(_e1827.member.member.member);
-                            let _e1837 = (bitcast<i32>((_e1833 >> bitcast<u32>(23i))) & 255i);
-                            let _e1838 = (_e1837 + _e276);
-                            if (_e1837 == 255i) {
-                                phi_3698_ = _e1827.member.member.member;
+                        let _e1834 = local_10;
+                        if (_e1834.member.member.member_3 != 4294967295u) {
+                            let _e1840 = bitcast<u32>(_e1834.member.member.member);
+                            let _e1844 = (bitcast<i32>((_e1840 >> bitcast<u32>(23i))) & 255i);
+                            let _e1845 = (_e1844 + _e276);
+                            if (_e1844 == 255i) {
+                                phi_3704_ = _e1834.member.member.member;
                             } else {
-                                if (_e1837 > 0i) {
-                                    if (_e1838 > 0i) {
-                                        let _e1842 = (_e1838 < 255i);
-                                        if _e1842 {
-                                            phi_3677_ = bitcast<f32>((_e1833 + bitcast<u32>((_e276 << bitcast<u32>(23i)))));
+                                if (_e1844 > 0i) {
+                                    if (_e1845 > 0i) {
+                                        let _e1849 = (_e1845 < 255i);
+                                        if _e1849 {
+                                            phi_3683_ = bitcast<f32>((_e1840 + bitcast<u32>((_e276 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_3677_ = f32();
+                                            phi_3683_ = f32();
                                         }
-                                        let _e1849 = phi_3677_;
-                                        phi_3679_ = _e1849;
-                                        phi_3680_ = select(true, false, _e1842);
+                                        let _e1856 = phi_3683_;
+                                        phi_3685_ = _e1856;
+                                        phi_3686_ = select(true, false, _e1849);
                                     } else {
-                                        phi_3679_ = f32();
-                                        phi_3680_ = true;
+                                        phi_3685_ = f32();
+                                        phi_3686_ = true;
                                     }
-                                    let _e1852 = phi_3679_;
-                                    let _e1854 = phi_3680_;
-                                    phi_3681_ = _e1852;
-                                    phi_3682_ = _e1854;
+                                    let _e1859 = phi_3685_;
+                                    let _e1861 = phi_3686_;
+                                    phi_3687_ = _e1859;
+                                    phi_3688_ = _e1861;
                                 } else {
-                                    phi_3681_ = f32();
-                                    phi_3682_ = true;
+                                    phi_3687_ = f32();
+                                    phi_3688_ = true;
                                 }
-                                let _e1856 = phi_3681_;
-                                let _e1858 = phi_3682_;
-                                if _e1858 {
-                                    let _e1859 = (_e1833 & 2147483648u);
-                                    let _e1866 = ((_e1833 & 8388607u) | (select(0u, 1u, ((_e1833 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e1870 = (_e1866 == 0u);
-                                    if _e1870 {
-                                        phi_4066_ = bitcast<f32>(_e1859);
+                                let _e1863 = phi_3687_;
+                                let _e1865 = phi_3688_;
+                                if _e1865 {
+                                    let _e1866 = (_e1840 & 2147483648u);
+                                    let _e1873 = ((_e1840 & 8388607u) | (select(0u, 1u, ((_e1840 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1877 = (_e1873 == 0u);
+                                    if _e1877 {
+                                        phi_4072_ = bitcast<f32>(_e1866);
                                     } else {
-                                        let _e1875 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1866)), 32u, _e1870) - 8u);
-                                        let _e1878 = (_e1866 << bitcast<u32>((_e1875 & 31u)));
-                                        let _e1880 = ((_e1838 + select(0i, 1i, (_e1837 == 0i))) - bitcast<i32>(_e1875));
-                                        if (_e1880 >= 255i) {
-                                            phi_4056_ = bitcast<f32>((_e1859 | 2139095040u));
-                                            phi_4057_ = f32();
-                                            phi_4058_ = true;
+                                        let _e1882 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1873)), 32u, _e1877) - 8u);
+                                        let _e1885 = (_e1873 << bitcast<u32>((_e1882 & 31u)));
+                                        let _e1887 = ((_e1845 + select(0i, 1i, (_e1844 == 0i))) - bitcast<i32>(_e1882));
+                                        if (_e1887 >= 255i) {
+                                            phi_4062_ = bitcast<f32>((_e1866 | 2139095040u));
+                                            phi_4063_ = f32();
+                                            phi_4064_ = true;
                                         } else {
-                                            let _e1882 = (_e1880 > 0i);
-                                            if _e1882 {
-                                                phi_4050_ = bitcast<f32>(((_e1859 | (bitcast<u32>(_e1880) << bitcast<u32>(23i))) | (_e1878 & 8388607u)));
-                                                phi_4051_ = f32();
+                                            let _e1889 = (_e1887 > 0i);
+                                            if _e1889 {
+                                                phi_4056_ = bitcast<f32>(((_e1866 | (bitcast<u32>(_e1887) << bitcast<u32>(23i))) | (_e1885 & 8388607u)));
+                                                phi_4057_ = f32();
                                             } else {
-                                                if (_e1880 < -24i) {
-                                                    phi_4016_ = 26u;
+                                                if (_e1887 < -24i) {
+                                                    phi_4022_ = 26u;
                                                 } else {
-                                                    phi_4016_ = bitcast<u32>((1i - _e1880));
+                                                    phi_4022_ = bitcast<u32>((1i - _e1887));
                                                 }
-                                                let _e1887 = phi_4016_;
-                                                let _e1888 = (_e1887 & 31u);
-                                                let _e1890 = (_e1878 >> bitcast<u32>(_e1888));
-                                                let _e1894 = (_e1878 & ((1u << bitcast<u32>(_e1888)) - 1u));
-                                                let _e1898 = (1u << bitcast<u32>(((_e1887 - 1u) & 31u)));
-                                                if (_e1894 > _e1898) {
-                                                    phi_4037_ = true;
+                                                let _e1894 = phi_4022_;
+                                                let _e1895 = (_e1894 & 31u);
+                                                let _e1897 = (_e1885 >> bitcast<u32>(_e1895));
+                                                let _e1901 = (_e1885 & ((1u << bitcast<u32>(_e1895)) - 1u));
+                                                let _e1905 = (1u << bitcast<u32>(((_e1894 - 1u) & 31u)));
+                                                if (_e1901 > _e1905) {
+                                                    phi_4043_ = true;
                                                 } else {
-                                                    if (_e1894 == _e1898) {
-                                                        phi_4034_ = ((_e1890 & 1u) == 1u);
+                                                    if (_e1901 == _e1905) {
+                                                        phi_4040_ = ((_e1897 & 1u) == 1u);
                                                     } else {
-                                                        phi_4034_ = false;
+                                                        phi_4040_ = false;
                                                     }
-                                                    let _e1904 = phi_4034_;
-                                                    phi_4037_ = _e1904;
+                                                    let _e1911 = phi_4040_;
+                                                    phi_4043_ = _e1911;
                                                 }
-                                                let _e1906 = phi_4037_;
-                                                phi_4050_ = f32();
-                                                phi_4051_ = bitcast<f32>((_e1859 | (_e1890 + select(0u, 1u, _e1906))));
+                                                let _e1913 = phi_4043_;
+                                                phi_4056_ = f32();
+                                                phi_4057_ = bitcast<f32>((_e1866 | (_e1897 + select(0u, 1u, _e1913))));
                                             }
-                                            let _e1919 = phi_4050_;
-                                            let _e1921 = phi_4051_;
-                                            phi_4056_ = _e1919;
-                                            phi_4057_ = _e1921;
-                                            phi_4058_ = _e1882;
+                                            let _e1926 = phi_4056_;
+                                            let _e1928 = phi_4057_;
+                                            phi_4062_ = _e1926;
+                                            phi_4063_ = _e1928;
+                                            phi_4064_ = _e1889;
                                         }
-                                        let _e1925 = phi_4056_;
-                                        let _e1927 = phi_4057_;
-                                        let _e1929 = phi_4058_;
-                                        phi_4066_ = select(_e1927, _e1925, _e1929);
+                                        let _e1932 = phi_4062_;
+                                        let _e1934 = phi_4063_;
+                                        let _e1936 = phi_4064_;
+                                        phi_4072_ = select(_e1934, _e1932, _e1936);
                                     }
-                                    let _e1933 = phi_4066_;
-                                    phi_3697_ = _e1933;
+                                    let _e1940 = phi_4072_;
+                                    phi_3703_ = _e1940;
                                 } else {
-                                    phi_3697_ = _e1856;
+                                    phi_3703_ = _e1863;
                                 }
-                                let _e1935 = phi_3697_;
-                                phi_3698_ = _e1935;
+                                let _e1942 = phi_3703_;
+                                phi_3704_ = _e1942;
                             }
-                            let _e1937 = phi_3698_;
-                            let _e1938 = bitcast<u32>(_e1937);
-                            if ((_e1938 & 2147483647u) >= 2139095040u) {
-                                phi_3710_ = bitcast<f32>(((_e1938 & 2147483648u) | 2139095039u));
+                            let _e1944 = phi_3704_;
+                            let _e1945 = bitcast<u32>(_e1944);
+                            if ((_e1945 & 2147483647u) >= 2139095040u) {
+                                phi_3716_ = bitcast<f32>(((_e1945 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_3710_ = _e1937;
+                                phi_3716_ = _e1944;
                             }
-                            let _e1945 = phi_3710_;
-                            phi_3715_ = type_22(_e1945, _e1827.member.member.member_1, _e1827.member.member.member_2, _e1827.member.member.member_3);
+                            let _e1952 = phi_3716_;
+                            phi_3721_ = type_22(_e1952, _e1834.member.member.member_1, _e1834.member.member.member_2, _e1834.member.member.member_3);
                         } else {
-                            phi_3715_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3721_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1950 = phi_3715_;
+                        let _e1957 = phi_3721_;
                         if _e152 {
                         } else {
                             break;
                         }
-                        global_2.member[_e136] = _e1950;
-                        let _e1954 = local_11;
+                        global_2.member[_e136] = _e1957;
+                        let _e1961 = local_11;
                         if _e153 {
                         } else {
                             break;
                         }
-                        global_5.member[_e136] = _e1954.member_1;
+                        global_5.member[_e136] = _e1961.member_1;
                         if _e151 {
                         } else {
                             break;
                         }
-                        let _e1959 = select(0u, 1u, (_e220 <= _e230));
-                        if (_e1959 > 0u) {
-                            let _e1961 = (1u < _e104);
-                            if _e1961 {
+                        let _e1966 = select(0u, 1u, (_e220 <= _e230));
+                        if (_e1966 > 0u) {
+                            let _e1968 = (1u < _e104);
+                            if _e1968 {
                                 if (0u < _e104) {
                                 } else {
                                     break;
                                 }
-                                let _e1965 = atomicAdd((&global_6.member[0u]), _e1959);
-                                if ((_e1965 + _e1959) < _e1965) {
-                                    if _e1961 {
+                                let _e1972 = atomicAdd((&global_6.member[0u]), _e1966);
+                                if ((_e1972 + _e1966) < _e1972) {
+                                    if _e1968 {
                                     } else {
                                         break;
                                     }
-                                    let _e1970 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1977 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1973 = select(0u, 1u, (_e1950.member_3 != 4294967295u));
-                        if (_e1973 > 0u) {
-                            let _e1975 = (3u < _e104);
-                            if _e1975 {
+                        let _e1980 = select(0u, 1u, (_e1957.member_3 != 4294967295u));
+                        if (_e1980 > 0u) {
+                            let _e1982 = (3u < _e104);
+                            if _e1982 {
                                 if (2u < _e104) {
                                 } else {
                                     break;
                                 }
-                                let _e1979 = atomicAdd((&global_6.member[2u]), _e1973);
-                                if ((_e1979 + _e1973) < _e1979) {
-                                    if _e1975 {
+                                let _e1986 = atomicAdd((&global_6.member[2u]), _e1980);
+                                if ((_e1986 + _e1980) < _e1986) {
+                                    if _e1982 {
                                     } else {
                                         break;
                                     }
-                                    let _e1984 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1991 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1954.member_1 > 0u) {
-                            let _e1986 = (5u < _e104);
-                            if _e1986 {
+                        if (_e1961.member_1 > 0u) {
+                            let _e1993 = (5u < _e104);
+                            if _e1993 {
                                 if (4u < _e104) {
                                 } else {
                                     break;
                                 }
-                                let _e1990 = atomicAdd((&global_6.member[4u]), _e1954.member_1);
-                                if ((_e1990 + _e1954.member_1) < _e1990) {
-                                    if _e1986 {
+                                let _e1997 = atomicAdd((&global_6.member[4u]), _e1961.member_1);
+                                if ((_e1997 + _e1961.member_1) < _e1997) {
+                                    if _e1993 {
                                     } else {
                                         break;
                                     }
-                                    let _e1995 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e2002 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

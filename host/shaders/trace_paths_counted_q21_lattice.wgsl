@@ -137,36 +137,16 @@ fn function_() {
     var phi_1077_: u32;
     var phi_1085_: f32;
     var phi_1086_: f32;
-    var phi_4783_: bool;
+    var phi_4789_: bool;
     var phi_1191_: type_38;
-    var phi_1194_: bool;
-    var phi_1196_: u32;
+    var phi_1194_: u32;
+    var phi_1196_: bool;
     var phi_1198_: u32;
     var phi_1200_: type_49;
     var phi_1211_: bool;
     var phi_1297_: bool;
     var phi_1298_: u32;
     var phi_1299_: type_49;
-    var phi_3526_: u32;
-    var phi_3532_: u32;
-    var phi_3786_: u32;
-    var phi_3787_: u32;
-    var phi_3797_: u32;
-    var phi_3799_: u32;
-    var phi_3800_: bool;
-    var phi_3820_: u32;
-    var phi_3821_: u32;
-    var phi_3825_: type_50;
-    var phi_4190_: type_49;
-    var phi_4267_: type_49;
-    var phi_4268_: u32;
-    var phi_4269_: type_49;
-    var phi_4271_: u32;
-    var phi_4272_: type_49;
-    var phi_4273_: bool;
-    var phi_4282_: type_49;
-    var phi_4287_: bool;
-    var phi_4289_: type_49;
     var phi_1318_: type_38;
     var phi_1321_: type_8;
     var phi_1322_: type_8;
@@ -246,51 +226,74 @@ fn function_() {
     var phi_3018_: type_38;
     var phi_3019_: type_38;
     var phi_1319_: type_38;
-    var phi_4777_: bool;
-    var phi_4988_: bool;
-    var phi_4294_: type_38;
-    var phi_4295_: bool;
-    var phi_4296_: u32;
-    var phi_4297_: type_49;
-    var phi_4987_: bool;
-    var phi_4298_: type_38;
-    var phi_4299_: bool;
-    var phi_4300_: u32;
-    var phi_4301_: u32;
-    var phi_4302_: type_49;
-    var phi_4986_: bool;
-    var phi_4303_: type_38;
-    var phi_4304_: bool;
+    var phi_4783_: bool;
+    var phi_5081_: bool;
+    var phi_3020_: type_38;
+    var phi_3522_: u32;
+    var phi_3528_: u32;
+    var phi_3782_: u32;
+    var phi_3783_: u32;
+    var phi_3793_: u32;
+    var phi_3795_: u32;
+    var phi_3796_: bool;
+    var phi_3816_: u32;
+    var phi_3817_: u32;
+    var phi_3821_: type_50;
+    var phi_4186_: type_49;
+    var phi_4262_: type_49;
+    var phi_4263_: u32;
+    var phi_4264_: type_49;
+    var phi_4266_: u32;
+    var phi_4267_: type_49;
+    var phi_4268_: bool;
+    var phi_4277_: type_49;
+    var phi_4282_: bool;
+    var phi_4284_: type_49;
+    var phi_4289_: type_38;
+    var phi_4290_: bool;
+    var phi_4291_: u32;
+    var phi_4292_: type_49;
+    var phi_4300_: type_38;
+    var phi_4303_: type_49;
+    var phi_4993_: bool;
+    var phi_4304_: type_38;
     var phi_4305_: u32;
-    var phi_4306_: u32;
-    var phi_4307_: type_49;
-    var phi_4985_: bool;
+    var phi_4306_: bool;
+    var phi_4307_: u32;
+    var phi_4308_: type_49;
+    var phi_4992_: bool;
+    var phi_4309_: type_38;
+    var phi_4310_: u32;
+    var phi_4311_: bool;
+    var phi_4312_: u32;
+    var phi_4313_: type_49;
+    var phi_4991_: bool;
     var phi_1192_: type_38;
-    var phi_1195_: bool;
-    var phi_1197_: u32;
+    var phi_1195_: u32;
+    var phi_1197_: bool;
     var phi_1199_: u32;
     var phi_1201_: type_49;
-    var phi_4308_: bool;
-    var phi_4984_: bool;
+    var phi_4314_: bool;
+    var phi_4990_: bool;
     var local_10: type_38;
-    var phi_4346_: f32;
-    var phi_4348_: f32;
-    var phi_4349_: bool;
-    var phi_4350_: f32;
-    var phi_4351_: bool;
-    var phi_4685_: u32;
-    var phi_4703_: bool;
-    var phi_4706_: bool;
-    var phi_4719_: f32;
-    var phi_4720_: f32;
+    var phi_4352_: f32;
+    var phi_4354_: f32;
+    var phi_4355_: bool;
+    var phi_4356_: f32;
+    var phi_4357_: bool;
+    var phi_4691_: u32;
+    var phi_4709_: bool;
+    var phi_4712_: bool;
     var phi_4725_: f32;
     var phi_4726_: f32;
-    var phi_4727_: bool;
-    var phi_4735_: f32;
-    var phi_4366_: f32;
-    var phi_4367_: f32;
-    var phi_4379_: f32;
-    var phi_4384_: type_18;
+    var phi_4731_: f32;
+    var phi_4732_: f32;
+    var phi_4733_: bool;
+    var phi_4741_: f32;
+    var phi_4372_: f32;
+    var phi_4373_: f32;
+    var phi_4385_: f32;
+    var phi_4390_: type_18;
     var local_11: type_38;
     var local_12: type_38;
 
@@ -653,14 +656,14 @@ fn function_() {
                             break;
                         }
                         let _e648 = local[_e632];
-                        phi_4783_ = false;
+                        phi_4789_ = false;
                         phi_1191_ = type_38(type_35(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e609), 0u, 0u);
-                        phi_1194_ = (_e611 <= _e609);
-                        phi_1196_ = ((3u * _e97) + 1u);
+                        phi_1194_ = ((3u * _e97) + 1u);
+                        phi_1196_ = (_e611 <= _e609);
                         phi_1198_ = 0u;
                         phi_1200_ = type_49(type_30(vec4<f32>((f32(_e623) * _e152), (f32(_e629) * _e152), (f32(_e635) * _e152), 0f), vec4<f32>((f32(_e640) * _e152), (f32(_e644) * _e152), (f32(_e648) * _e152), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
                         loop {
-                            let _e658 = phi_4783_;
+                            let _e658 = phi_4789_;
                             let _e660 = phi_1191_;
                             let _e662 = phi_1194_;
                             let _e664 = phi_1196_;
@@ -668,17 +671,17 @@ fn function_() {
                             let _e668 = phi_1200_;
                             local_10 = _e660;
                             local_11 = _e660;
-                            if _e662 {
+                            if _e664 {
                                 phi_1211_ = true;
                             } else {
                                 phi_1211_ = (_e666 > 0u);
                             }
                             let _e671 = phi_1211_;
                             if _e671 {
-                                let _e672 = (_e664 > 0u);
+                                let _e672 = (_e662 > 0u);
                                 if _e672 {
-                                    if _e662 {
-                                        phi_1297_ = _e662;
+                                    if _e664 {
+                                        phi_1297_ = _e664;
                                         phi_1298_ = _e666;
                                         phi_1299_ = _e668;
                                     } else {
@@ -687,49 +690,49 @@ fn function_() {
                                         let _e675 = (_e674 < 128u);
                                         if _e675 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e677 = local_7[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e679 = local_6[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e681 = local_5[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e683 = local_4[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e685 = local_3[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e687 = local_2[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e692 = local_8[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4984_ = true;
+                                            phi_4990_ = true;
                                             break;
                                         }
                                         let _e695 = local_9[_e674];
@@ -741,39 +744,40 @@ fn function_() {
                                     let _e702 = phi_1298_;
                                     let _e704 = phi_1299_;
                                     if _e700 {
+                                        let _e708 = ((_e704.member_1 & 2147483648u) != 0u);
                                         let _e709 = (_e704.member_1 & 268435455u);
-                                        if ((_e704.member_1 & 2147483648u) != 0u) {
+                                        if _e708 {
                                             phi_1318_ = _e660;
                                             phi_1321_ = type_8(0u, ((_e704.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1200 = phi_1318_;
-                                                let _e1202 = phi_1321_;
-                                                local_12 = _e1200;
-                                                if (_e1202.member < _e1202.member_1) {
-                                                    phi_1322_ = type_8((_e1202.member + 1u), _e1202.member_1);
-                                                    phi_1344_ = type_8(1u, _e1202.member);
+                                                let _e716 = phi_1318_;
+                                                let _e718 = phi_1321_;
+                                                local_12 = _e716;
+                                                if (_e718.member < _e718.member_1) {
+                                                    phi_1322_ = type_8((_e718.member + 1u), _e718.member_1);
+                                                    phi_1344_ = type_8(1u, _e718.member);
                                                 } else {
-                                                    phi_1322_ = _e1202;
+                                                    phi_1322_ = _e718;
                                                     phi_1344_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1215 = phi_1322_;
-                                                let _e1217 = phi_1344_;
-                                                let _e1221 = (bitcast<i32>(_e1217.member) != 0i);
-                                                if _e1221 {
-                                                    let _e1227 = type_38(_e1200.member, _e1200.member_1, (_e1200.member_2 + 1u));
-                                                    let _e1232 = (_e704.member.member_1.x - _e704.member.member.x);
-                                                    let _e1235 = (_e704.member.member_1.y - _e704.member.member.y);
-                                                    let _e1238 = (_e704.member.member_1.z - _e704.member.member.z);
-                                                    let _e1240 = select(_e1235, _e1232, (_e1232 > _e1235));
-                                                    let _e1242 = select(_e1238, _e1240, (_e1240 > _e1238));
-                                                    let _e1244 = (_e1242 < (1024f * _e152));
-                                                    if _e1244 {
+                                                let _e731 = phi_1322_;
+                                                let _e733 = phi_1344_;
+                                                let _e737 = (bitcast<i32>(_e733.member) != 0i);
+                                                if _e737 {
+                                                    let _e743 = type_38(_e716.member, _e716.member_1, (_e716.member_2 + 1u));
+                                                    let _e748 = (_e704.member.member_1.x - _e704.member.member.x);
+                                                    let _e751 = (_e704.member.member_1.y - _e704.member.member.y);
+                                                    let _e754 = (_e704.member.member_1.z - _e704.member.member.z);
+                                                    let _e756 = select(_e751, _e748, (_e748 > _e751));
+                                                    let _e758 = select(_e754, _e756, (_e756 > _e754));
+                                                    let _e760 = (_e758 < (1024f * _e152));
+                                                    if _e760 {
                                                         phi_1388_ = 0u;
                                                     } else {
-                                                        phi_1388_ = select(2u, 1u, (_e1242 < (2097152f * _e152)));
+                                                        phi_1388_ = select(2u, 1u, (_e758 < (2097152f * _e152)));
                                                     }
-                                                    let _e1249 = phi_1388_;
-                                                    switch bitcast<i32>(_e1249) {
+                                                    let _e765 = phi_1388_;
+                                                    switch bitcast<i32>(_e765) {
                                                         case 0: {
                                                             phi_1394_ = 1u;
                                                             break;
@@ -791,8 +795,8 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1252 = phi_1394_;
-                                                    switch bitcast<i32>(_e1249) {
+                                                    let _e768 = phi_1394_;
+                                                    switch bitcast<i32>(_e765) {
                                                         case 0: {
                                                             phi_1404_ = 1u;
                                                             break;
@@ -810,28 +814,28 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1259 = phi_1404_;
-                                                    let _e1261 = ((_e709 + (_e1217.member_1 * ((3u * _e1252) + 1u))) + (3u * _e1259));
-                                                    let _e1262 = (_e1261 < _e100);
-                                                    if _e1262 {
-                                                        if _e1262 {
+                                                    let _e775 = phi_1404_;
+                                                    let _e777 = ((_e709 + (_e733.member_1 * ((3u * _e768) + 1u))) + (3u * _e775));
+                                                    let _e778 = (_e777 < _e100);
+                                                    if _e778 {
+                                                        if _e778 {
                                                         } else {
-                                                            phi_4777_ = true;
+                                                            phi_4783_ = true;
                                                             break;
                                                         }
-                                                        let _e1264 = global_7.member[_e1261];
-                                                        phi_1420_ = _e1264;
+                                                        let _e780 = global_7.member[_e777];
+                                                        phi_1420_ = _e780;
                                                     } else {
                                                         phi_1420_ = 4294967295u;
                                                     }
-                                                    let _e1266 = phi_1420_;
-                                                    if _e1244 {
+                                                    let _e782 = phi_1420_;
+                                                    if _e760 {
                                                         phi_1453_ = 0u;
                                                     } else {
-                                                        phi_1453_ = select(2u, 1u, (_e1242 < (2097152f * _e152)));
+                                                        phi_1453_ = select(2u, 1u, (_e758 < (2097152f * _e152)));
                                                     }
-                                                    let _e1271 = phi_1453_;
-                                                    switch bitcast<i32>(_e1271) {
+                                                    let _e787 = phi_1453_;
+                                                    switch bitcast<i32>(_e787) {
                                                         case 0: {
                                                             phi_1459_ = 1u;
                                                             break;
@@ -849,331 +853,331 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1274 = phi_1459_;
-                                                    let _e1278 = (_e709 + (_e1217.member_1 * ((3u * _e1274) + 1u)));
-                                                    switch bitcast<i32>(_e1271) {
+                                                    let _e790 = phi_1459_;
+                                                    let _e794 = (_e709 + (_e733.member_1 * ((3u * _e790) + 1u)));
+                                                    switch bitcast<i32>(_e787) {
                                                         case 0: {
-                                                            let _e1553 = (_e1278 < _e100);
-                                                            if _e1553 {
-                                                                if _e1553 {
+                                                            let _e1069 = (_e794 < _e100);
+                                                            if _e1069 {
+                                                                if _e1069 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1555 = global_7.member[_e1278];
-                                                                phi_1486_ = _e1555;
+                                                                let _e1071 = global_7.member[_e794];
+                                                                phi_1486_ = _e1071;
                                                             } else {
                                                                 phi_1486_ = 0u;
                                                             }
-                                                            let _e1557 = phi_1486_;
-                                                            let _e1559 = ((10u * _e278) & 31u);
-                                                            let _e1569 = ((10u * _e277) & 31u);
-                                                            let _e1579 = ((10u * _e279) & 31u);
-                                                            let _e1589 = (_e1278 + 1u);
-                                                            let _e1590 = (_e1589 < _e100);
-                                                            if _e1590 {
-                                                                if _e1590 {
+                                                            let _e1073 = phi_1486_;
+                                                            let _e1075 = ((10u * _e278) & 31u);
+                                                            let _e1085 = ((10u * _e277) & 31u);
+                                                            let _e1095 = ((10u * _e279) & 31u);
+                                                            let _e1105 = (_e794 + 1u);
+                                                            let _e1106 = (_e1105 < _e100);
+                                                            if _e1106 {
+                                                                if _e1106 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1592 = global_7.member[_e1589];
-                                                                phi_1535_ = _e1592;
+                                                                let _e1108 = global_7.member[_e1105];
+                                                                phi_1535_ = _e1108;
                                                             } else {
                                                                 phi_1535_ = 0u;
                                                             }
-                                                            let _e1594 = phi_1535_;
-                                                            let _e1620 = (_e1278 + 2u);
-                                                            let _e1621 = (_e1620 < _e100);
-                                                            if _e1621 {
-                                                                if _e1621 {
+                                                            let _e1110 = phi_1535_;
+                                                            let _e1136 = (_e794 + 2u);
+                                                            let _e1137 = (_e1136 < _e100);
+                                                            if _e1137 {
+                                                                if _e1137 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1623 = global_7.member[_e1620];
-                                                                phi_1584_ = _e1623;
+                                                                let _e1139 = global_7.member[_e1136];
+                                                                phi_1584_ = _e1139;
                                                             } else {
                                                                 phi_1584_ = 0u;
                                                             }
-                                                            let _e1625 = phi_1584_;
-                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))));
+                                                            let _e1141 = phi_1584_;
+                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1073 >> bitcast<u32>(_e1075)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1073 >> bitcast<u32>(_e1085)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1073 >> bitcast<u32>(_e1095)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1110 >> bitcast<u32>(_e1075)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1110 >> bitcast<u32>(_e1085)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1110 >> bitcast<u32>(_e1095)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1141 >> bitcast<u32>(_e1075)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1141 >> bitcast<u32>(_e1085)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1141 >> bitcast<u32>(_e1095)) & 1023u))) - 8388608f) * _e152))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1367 = (_e1278 < _e100);
-                                                            if _e1367 {
-                                                                if _e1367 {
+                                                            let _e883 = (_e794 < _e100);
+                                                            if _e883 {
+                                                                if _e883 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1369 = global_7.member[_e1278];
-                                                                phi_1633_ = _e1369;
+                                                                let _e885 = global_7.member[_e794];
+                                                                phi_1633_ = _e885;
                                                             } else {
                                                                 phi_1633_ = 0u;
                                                             }
-                                                            let _e1371 = phi_1633_;
-                                                            let _e1372 = (_e1278 + 1u);
-                                                            let _e1373 = (_e1372 < _e100);
-                                                            if _e1373 {
-                                                                if _e1373 {
+                                                            let _e887 = phi_1633_;
+                                                            let _e888 = (_e794 + 1u);
+                                                            let _e889 = (_e888 < _e100);
+                                                            if _e889 {
+                                                                if _e889 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1375 = global_7.member[_e1372];
-                                                                phi_1648_ = _e1375;
+                                                                let _e891 = global_7.member[_e888];
+                                                                phi_1648_ = _e891;
                                                             } else {
                                                                 phi_1648_ = 0u;
                                                             }
-                                                            let _e1377 = phi_1648_;
-                                                            let _e1378 = (_e278 == 1u);
-                                                            if _e1378 {
-                                                                phi_1658_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
+                                                            let _e893 = phi_1648_;
+                                                            let _e894 = (_e278 == 1u);
+                                                            if _e894 {
+                                                                phi_1658_ = ((_e887 >> bitcast<u32>(21i)) | (_e893 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1658_ = (_e1377 >> bitcast<u32>(10i));
+                                                                phi_1658_ = (_e893 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1387 = phi_1658_;
-                                                            let _e1395 = (_e277 == 1u);
-                                                            if _e1395 {
-                                                                phi_1679_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
+                                                            let _e903 = phi_1658_;
+                                                            let _e911 = (_e277 == 1u);
+                                                            if _e911 {
+                                                                phi_1679_ = ((_e887 >> bitcast<u32>(21i)) | (_e893 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1679_ = (_e1377 >> bitcast<u32>(10i));
+                                                                phi_1679_ = (_e893 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1404 = phi_1679_;
-                                                            let _e1412 = (_e279 == 1u);
-                                                            if _e1412 {
-                                                                phi_1700_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
+                                                            let _e920 = phi_1679_;
+                                                            let _e928 = (_e279 == 1u);
+                                                            if _e928 {
+                                                                phi_1700_ = ((_e887 >> bitcast<u32>(21i)) | (_e893 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1700_ = (_e1377 >> bitcast<u32>(10i));
+                                                                phi_1700_ = (_e893 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1421 = phi_1700_;
-                                                            let _e1430 = (_e1278 + 2u);
-                                                            let _e1431 = (_e1430 < _e100);
-                                                            if _e1431 {
-                                                                if _e1431 {
+                                                            let _e937 = phi_1700_;
+                                                            let _e946 = (_e794 + 2u);
+                                                            let _e947 = (_e946 < _e100);
+                                                            if _e947 {
+                                                                if _e947 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1433 = global_7.member[_e1430];
-                                                                phi_1730_ = _e1433;
+                                                                let _e949 = global_7.member[_e946];
+                                                                phi_1730_ = _e949;
                                                             } else {
                                                                 phi_1730_ = 0u;
                                                             }
-                                                            let _e1435 = phi_1730_;
-                                                            let _e1436 = (_e1278 + 3u);
-                                                            let _e1437 = (_e1436 < _e100);
-                                                            if _e1437 {
-                                                                if _e1437 {
+                                                            let _e951 = phi_1730_;
+                                                            let _e952 = (_e794 + 3u);
+                                                            let _e953 = (_e952 < _e100);
+                                                            if _e953 {
+                                                                if _e953 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1439 = global_7.member[_e1436];
-                                                                phi_1745_ = _e1439;
+                                                                let _e955 = global_7.member[_e952];
+                                                                phi_1745_ = _e955;
                                                             } else {
                                                                 phi_1745_ = 0u;
                                                             }
-                                                            let _e1441 = phi_1745_;
-                                                            if _e1378 {
-                                                                phi_1755_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
+                                                            let _e957 = phi_1745_;
+                                                            if _e894 {
+                                                                phi_1755_ = ((_e951 >> bitcast<u32>(21i)) | (_e957 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1755_ = (_e1441 >> bitcast<u32>(10i));
+                                                                phi_1755_ = (_e957 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1450 = phi_1755_;
-                                                            if _e1395 {
-                                                                phi_1776_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
+                                                            let _e966 = phi_1755_;
+                                                            if _e911 {
+                                                                phi_1776_ = ((_e951 >> bitcast<u32>(21i)) | (_e957 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1776_ = (_e1441 >> bitcast<u32>(10i));
+                                                                phi_1776_ = (_e957 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1466 = phi_1776_;
-                                                            if _e1412 {
-                                                                phi_1797_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
+                                                            let _e982 = phi_1776_;
+                                                            if _e928 {
+                                                                phi_1797_ = ((_e951 >> bitcast<u32>(21i)) | (_e957 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1797_ = (_e1441 >> bitcast<u32>(10i));
+                                                                phi_1797_ = (_e957 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1482 = phi_1797_;
-                                                            let _e1491 = (_e1278 + 4u);
-                                                            let _e1492 = (_e1491 < _e100);
-                                                            if _e1492 {
-                                                                if _e1492 {
+                                                            let _e998 = phi_1797_;
+                                                            let _e1007 = (_e794 + 4u);
+                                                            let _e1008 = (_e1007 < _e100);
+                                                            if _e1008 {
+                                                                if _e1008 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1494 = global_7.member[_e1491];
-                                                                phi_1827_ = _e1494;
+                                                                let _e1010 = global_7.member[_e1007];
+                                                                phi_1827_ = _e1010;
                                                             } else {
                                                                 phi_1827_ = 0u;
                                                             }
-                                                            let _e1496 = phi_1827_;
-                                                            let _e1497 = (_e1278 + 5u);
-                                                            let _e1498 = (_e1497 < _e100);
-                                                            if _e1498 {
-                                                                if _e1498 {
+                                                            let _e1012 = phi_1827_;
+                                                            let _e1013 = (_e794 + 5u);
+                                                            let _e1014 = (_e1013 < _e100);
+                                                            if _e1014 {
+                                                                if _e1014 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1500 = global_7.member[_e1497];
-                                                                phi_1842_ = _e1500;
+                                                                let _e1016 = global_7.member[_e1013];
+                                                                phi_1842_ = _e1016;
                                                             } else {
                                                                 phi_1842_ = 0u;
                                                             }
-                                                            let _e1502 = phi_1842_;
-                                                            if _e1378 {
-                                                                phi_1852_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
+                                                            let _e1018 = phi_1842_;
+                                                            if _e894 {
+                                                                phi_1852_ = ((_e1012 >> bitcast<u32>(21i)) | (_e1018 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1852_ = (_e1502 >> bitcast<u32>(10i));
+                                                                phi_1852_ = (_e1018 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1511 = phi_1852_;
-                                                            if _e1395 {
-                                                                phi_1873_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
+                                                            let _e1027 = phi_1852_;
+                                                            if _e911 {
+                                                                phi_1873_ = ((_e1012 >> bitcast<u32>(21i)) | (_e1018 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1873_ = (_e1502 >> bitcast<u32>(10i));
+                                                                phi_1873_ = (_e1018 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1527 = phi_1873_;
-                                                            if _e1412 {
-                                                                phi_1894_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
+                                                            let _e1043 = phi_1873_;
+                                                            if _e928 {
+                                                                phi_1894_ = ((_e1012 >> bitcast<u32>(21i)) | (_e1018 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1894_ = (_e1502 >> bitcast<u32>(10i));
+                                                                phi_1894_ = (_e1018 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1543 = phi_1894_;
-                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1387, _e1371, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1404, _e1371, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1421, _e1371, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1450, _e1435, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1466, _e1435, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1482, _e1435, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1511, _e1496, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1527, _e1496, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1543, _e1496, _e435) & 2097151u))) - 8388608f) * _e152))));
+                                                            let _e1059 = phi_1894_;
+                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e903, _e887, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e920, _e887, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e937, _e887, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e966, _e951, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e982, _e951, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e998, _e951, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1027, _e1012, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1043, _e1012, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1059, _e1012, _e435) & 2097151u))) - 8388608f) * _e152))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e1280 = (_e1278 + _e278);
-                                                            let _e1281 = (_e1280 < _e100);
-                                                            if _e1281 {
-                                                                if _e1281 {
+                                                            let _e796 = (_e794 + _e278);
+                                                            let _e797 = (_e796 < _e100);
+                                                            if _e797 {
+                                                                if _e797 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1283 = global_7.member[_e1280];
-                                                                phi_1925_ = _e1283;
+                                                                let _e799 = global_7.member[_e796];
+                                                                phi_1925_ = _e799;
                                                             } else {
                                                                 phi_1925_ = 0u;
                                                             }
-                                                            let _e1285 = phi_1925_;
-                                                            let _e1289 = (_e1278 + _e277);
-                                                            let _e1290 = (_e1289 < _e100);
-                                                            if _e1290 {
-                                                                if _e1290 {
+                                                            let _e801 = phi_1925_;
+                                                            let _e805 = (_e794 + _e277);
+                                                            let _e806 = (_e805 < _e100);
+                                                            if _e806 {
+                                                                if _e806 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1292 = global_7.member[_e1289];
-                                                                phi_1943_ = _e1292;
+                                                                let _e808 = global_7.member[_e805];
+                                                                phi_1943_ = _e808;
                                                             } else {
                                                                 phi_1943_ = 0u;
                                                             }
-                                                            let _e1294 = phi_1943_;
-                                                            let _e1298 = (_e1278 + _e279);
-                                                            let _e1299 = (_e1298 < _e100);
-                                                            if _e1299 {
-                                                                if _e1299 {
+                                                            let _e810 = phi_1943_;
+                                                            let _e814 = (_e794 + _e279);
+                                                            let _e815 = (_e814 < _e100);
+                                                            if _e815 {
+                                                                if _e815 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1301 = global_7.member[_e1298];
-                                                                phi_1961_ = _e1301;
+                                                                let _e817 = global_7.member[_e814];
+                                                                phi_1961_ = _e817;
                                                             } else {
                                                                 phi_1961_ = 0u;
                                                             }
-                                                            let _e1303 = phi_1961_;
-                                                            let _e1308 = (_e1278 + 3u);
-                                                            let _e1309 = (_e1308 + _e278);
-                                                            let _e1310 = (_e1309 < _e100);
-                                                            if _e1310 {
-                                                                if _e1310 {
+                                                            let _e819 = phi_1961_;
+                                                            let _e824 = (_e794 + 3u);
+                                                            let _e825 = (_e824 + _e278);
+                                                            let _e826 = (_e825 < _e100);
+                                                            if _e826 {
+                                                                if _e826 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1312 = global_7.member[_e1309];
-                                                                phi_1984_ = _e1312;
+                                                                let _e828 = global_7.member[_e825];
+                                                                phi_1984_ = _e828;
                                                             } else {
                                                                 phi_1984_ = 0u;
                                                             }
-                                                            let _e1314 = phi_1984_;
-                                                            let _e1318 = (_e1308 + _e277);
-                                                            let _e1319 = (_e1318 < _e100);
-                                                            if _e1319 {
-                                                                if _e1319 {
+                                                            let _e830 = phi_1984_;
+                                                            let _e834 = (_e824 + _e277);
+                                                            let _e835 = (_e834 < _e100);
+                                                            if _e835 {
+                                                                if _e835 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1321 = global_7.member[_e1318];
-                                                                phi_2002_ = _e1321;
+                                                                let _e837 = global_7.member[_e834];
+                                                                phi_2002_ = _e837;
                                                             } else {
                                                                 phi_2002_ = 0u;
                                                             }
-                                                            let _e1323 = phi_2002_;
-                                                            let _e1327 = (_e1308 + _e279);
-                                                            let _e1328 = (_e1327 < _e100);
-                                                            if _e1328 {
-                                                                if _e1328 {
+                                                            let _e839 = phi_2002_;
+                                                            let _e843 = (_e824 + _e279);
+                                                            let _e844 = (_e843 < _e100);
+                                                            if _e844 {
+                                                                if _e844 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1330 = global_7.member[_e1327];
-                                                                phi_2020_ = _e1330;
+                                                                let _e846 = global_7.member[_e843];
+                                                                phi_2020_ = _e846;
                                                             } else {
                                                                 phi_2020_ = 0u;
                                                             }
-                                                            let _e1332 = phi_2020_;
-                                                            let _e1337 = (_e1278 + 6u);
-                                                            let _e1338 = (_e1337 + _e278);
-                                                            let _e1339 = (_e1338 < _e100);
-                                                            if _e1339 {
-                                                                if _e1339 {
+                                                            let _e848 = phi_2020_;
+                                                            let _e853 = (_e794 + 6u);
+                                                            let _e854 = (_e853 + _e278);
+                                                            let _e855 = (_e854 < _e100);
+                                                            if _e855 {
+                                                                if _e855 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1341 = global_7.member[_e1338];
-                                                                phi_2043_ = _e1341;
+                                                                let _e857 = global_7.member[_e854];
+                                                                phi_2043_ = _e857;
                                                             } else {
                                                                 phi_2043_ = 0u;
                                                             }
-                                                            let _e1343 = phi_2043_;
-                                                            let _e1347 = (_e1337 + _e277);
-                                                            let _e1348 = (_e1347 < _e100);
-                                                            if _e1348 {
-                                                                if _e1348 {
+                                                            let _e859 = phi_2043_;
+                                                            let _e863 = (_e853 + _e277);
+                                                            let _e864 = (_e863 < _e100);
+                                                            if _e864 {
+                                                                if _e864 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1350 = global_7.member[_e1347];
-                                                                phi_2061_ = _e1350;
+                                                                let _e866 = global_7.member[_e863];
+                                                                phi_2061_ = _e866;
                                                             } else {
                                                                 phi_2061_ = 0u;
                                                             }
-                                                            let _e1352 = phi_2061_;
-                                                            let _e1356 = (_e1337 + _e279);
-                                                            let _e1357 = (_e1356 < _e100);
-                                                            if _e1357 {
-                                                                if _e1357 {
+                                                            let _e868 = phi_2061_;
+                                                            let _e872 = (_e853 + _e279);
+                                                            let _e873 = (_e872 < _e100);
+                                                            if _e873 {
+                                                                if _e873 {
                                                                 } else {
-                                                                    phi_4777_ = true;
+                                                                    phi_4783_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1359 = global_7.member[_e1356];
-                                                                phi_2079_ = _e1359;
+                                                                let _e875 = global_7.member[_e872];
+                                                                phi_2079_ = _e875;
                                                             } else {
                                                                 phi_2079_ = 0u;
                                                             }
-                                                            let _e1361 = phi_2079_;
-                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1285)) * _e152), (f32(bitcast<i32>(_e1294)) * _e152), (f32(bitcast<i32>(_e1303)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e1314)) * _e152), (f32(bitcast<i32>(_e1323)) * _e152), (f32(bitcast<i32>(_e1332)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e1343)) * _e152), (f32(bitcast<i32>(_e1352)) * _e152), (f32(bitcast<i32>(_e1361)) * _e152)));
+                                                            let _e877 = phi_2079_;
+                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e801)) * _e152), (f32(bitcast<i32>(_e810)) * _e152), (f32(bitcast<i32>(_e819)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e830)) * _e152), (f32(bitcast<i32>(_e839)) * _e152), (f32(bitcast<i32>(_e848)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e859)) * _e152), (f32(bitcast<i32>(_e868)) * _e152), (f32(bitcast<i32>(_e877)) * _e152)));
                                                             break;
                                                         }
                                                         default: {
@@ -1181,922 +1185,937 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1653 = phi_2085_;
-                                                    let _e1662 = (_e1653[0][2] - _e458);
-                                                    let _e1665 = (((_e1653[0][0] - _e325) * _e497) - (_e1662 * _e365));
-                                                    let _e1668 = (((_e1653[0][1] - _e392) * _e497) - (_e1662 * _e431));
-                                                    let _e1675 = (_e1653[1][2] - _e458);
-                                                    let _e1678 = (((_e1653[1][0] - _e325) * _e497) - (_e1675 * _e365));
-                                                    let _e1681 = (((_e1653[1][1] - _e392) * _e497) - (_e1675 * _e431));
-                                                    let _e1688 = (_e1653[2][2] - _e458);
-                                                    let _e1691 = (((_e1653[2][0] - _e325) * _e497) - (_e1688 * _e365));
-                                                    let _e1694 = (((_e1653[2][1] - _e392) * _e497) - (_e1688 * _e431));
-                                                    let _e1695 = (_e1691 * _e1681);
-                                                    let _e1696 = (_e1694 * _e1678);
-                                                    let _e1697 = (_e1665 * _e1694);
-                                                    let _e1698 = (_e1668 * _e1691);
-                                                    let _e1699 = (_e1678 * _e1668);
-                                                    let _e1700 = (_e1681 * _e1665);
-                                                    let _e1705 = (((_e1695 >= _e1696) && (_e1697 >= _e1698)) && (_e1699 >= _e1700));
-                                                    if (_e1705 || (((_e1695 <= _e1696) && (_e1697 <= _e1698)) && (_e1699 <= _e1700))) {
-                                                        let _e1712 = select(-1f, 1f, _e1705);
-                                                        let _e1714 = ((_e1695 - _e1696) * _e1712);
-                                                        let _e1716 = select(0f, _e1714, (_e1714 > 0f));
-                                                        let _e1718 = ((_e1697 - _e1698) * _e1712);
-                                                        let _e1720 = select(0f, _e1718, (_e1718 > 0f));
-                                                        let _e1722 = ((_e1699 - _e1700) * _e1712);
-                                                        let _e1724 = select(0f, _e1722, (_e1722 > 0f));
-                                                        let _e1726 = ((_e1716 + _e1720) + _e1724);
-                                                        if (_e1726 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e1169 = phi_2085_;
+                                                    let _e1178 = (_e1169[0][2] - _e458);
+                                                    let _e1181 = (((_e1169[0][0] - _e325) * _e497) - (_e1178 * _e365));
+                                                    let _e1184 = (((_e1169[0][1] - _e392) * _e497) - (_e1178 * _e431));
+                                                    let _e1191 = (_e1169[1][2] - _e458);
+                                                    let _e1194 = (((_e1169[1][0] - _e325) * _e497) - (_e1191 * _e365));
+                                                    let _e1197 = (((_e1169[1][1] - _e392) * _e497) - (_e1191 * _e431));
+                                                    let _e1204 = (_e1169[2][2] - _e458);
+                                                    let _e1207 = (((_e1169[2][0] - _e325) * _e497) - (_e1204 * _e365));
+                                                    let _e1210 = (((_e1169[2][1] - _e392) * _e497) - (_e1204 * _e431));
+                                                    let _e1211 = (_e1207 * _e1197);
+                                                    let _e1212 = (_e1210 * _e1194);
+                                                    let _e1213 = (_e1181 * _e1210);
+                                                    let _e1214 = (_e1184 * _e1207);
+                                                    let _e1215 = (_e1194 * _e1184);
+                                                    let _e1216 = (_e1197 * _e1181);
+                                                    let _e1221 = (((_e1211 >= _e1212) && (_e1213 >= _e1214)) && (_e1215 >= _e1216));
+                                                    if (_e1221 || (((_e1211 <= _e1212) && (_e1213 <= _e1214)) && (_e1215 <= _e1216))) {
+                                                        let _e1228 = select(-1f, 1f, _e1221);
+                                                        let _e1230 = ((_e1211 - _e1212) * _e1228);
+                                                        let _e1232 = select(0f, _e1230, (_e1230 > 0f));
+                                                        let _e1234 = ((_e1213 - _e1214) * _e1228);
+                                                        let _e1236 = select(0f, _e1234, (_e1234 > 0f));
+                                                        let _e1238 = ((_e1215 - _e1216) * _e1228);
+                                                        let _e1240 = select(0f, _e1238, (_e1238 > 0f));
+                                                        let _e1242 = ((_e1232 + _e1236) + _e1240);
+                                                        if (_e1242 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2969_ = type_18();
                                                             phi_2970_ = true;
                                                             phi_2971_ = false;
                                                         } else {
-                                                            let _e1729 = select(_e1678, _e1665, (_e1665 < _e1678));
-                                                            if (select(_e1691, _e1729, (_e1729 < _e1691)) > 0f) {
+                                                            let _e1245 = select(_e1194, _e1181, (_e1181 < _e1194));
+                                                            if (select(_e1207, _e1245, (_e1245 < _e1207)) > 0f) {
                                                                 phi_2237_ = true;
                                                             } else {
-                                                                let _e1734 = select(_e1678, _e1665, (_e1665 > _e1678));
-                                                                phi_2237_ = (select(_e1691, _e1734, (_e1734 > _e1691)) < 0f);
+                                                                let _e1250 = select(_e1194, _e1181, (_e1181 > _e1194));
+                                                                phi_2237_ = (select(_e1207, _e1250, (_e1250 > _e1207)) < 0f);
                                                             }
-                                                            let _e1739 = phi_2237_;
-                                                            if _e1739 {
+                                                            let _e1255 = phi_2237_;
+                                                            if _e1255 {
                                                                 phi_2966_ = type_18();
                                                                 phi_2967_ = true;
                                                                 phi_2968_ = false;
                                                             } else {
-                                                                let _e1741 = select(_e1681, _e1668, (_e1668 < _e1681));
-                                                                if (select(_e1694, _e1741, (_e1741 < _e1694)) > 0f) {
+                                                                let _e1257 = select(_e1197, _e1184, (_e1184 < _e1197));
+                                                                if (select(_e1210, _e1257, (_e1257 < _e1210)) > 0f) {
                                                                     phi_2266_ = true;
                                                                 } else {
-                                                                    let _e1746 = select(_e1681, _e1668, (_e1668 > _e1681));
-                                                                    phi_2266_ = (select(_e1694, _e1746, (_e1746 > _e1694)) < 0f);
+                                                                    let _e1262 = select(_e1197, _e1184, (_e1184 > _e1197));
+                                                                    phi_2266_ = (select(_e1210, _e1262, (_e1262 > _e1210)) < 0f);
                                                                 }
-                                                                let _e1751 = phi_2266_;
-                                                                if _e1751 {
+                                                                let _e1267 = phi_2266_;
+                                                                if _e1267 {
                                                                     phi_2964_ = type_18();
                                                                     phi_2965_ = false;
                                                                 } else {
-                                                                    let _e1753 = select(_e1653[1][0], _e1653[0][0], (_e1653[0][0] < _e1653[1][0]));
-                                                                    let _e1757 = select(_e1653[1][0], _e1653[0][0], (_e1653[0][0] > _e1653[1][0]));
-                                                                    let _e1761 = select(_e1653[1][1], _e1653[0][1], (_e1653[0][1] < _e1653[1][1]));
-                                                                    let _e1765 = select(_e1653[1][1], _e1653[0][1], (_e1653[0][1] > _e1653[1][1]));
-                                                                    let _e1769 = select(_e1653[1][2], _e1653[0][2], (_e1653[0][2] < _e1653[1][2]));
-                                                                    let _e1773 = select(_e1653[1][2], _e1653[0][2], (_e1653[0][2] > _e1653[1][2]));
-                                                                    let _e1778 = ((select(_e1653[2][0], _e1753, (_e1753 < _e1653[2][0])) - _e363) * _e368);
-                                                                    let _e1779 = ((select(_e1653[2][0], _e1757, (_e1757 > _e1653[2][0])) - _e364) * _e368);
-                                                                    let _e1782 = ((select(_e1653[2][1], _e1761, (_e1761 < _e1653[2][1])) - _e429) * _e434);
-                                                                    let _e1783 = ((select(_e1653[2][1], _e1765, (_e1765 > _e1653[2][1])) - _e430) * _e434);
-                                                                    let _e1786 = ((select(_e1653[2][2], _e1769, (_e1769 < _e1653[2][2])) - _e495) * _e500);
-                                                                    let _e1787 = ((select(_e1653[2][2], _e1773, (_e1773 > _e1653[2][2])) - _e496) * _e500);
-                                                                    let _e1789 = select(_e1787, _e1786, (_e1786 < _e1787));
-                                                                    let _e1791 = select(_e1787, _e1786, (_e1786 > _e1787));
-                                                                    let _e1793 = select(_e1779, _e1778, (_e1778 < _e1779));
-                                                                    let _e1795 = select(_e1783, _e1782, (_e1782 < _e1783));
-                                                                    let _e1797 = select(_e1795, _e1793, (_e1793 > _e1795));
-                                                                    let _e1799 = select(_e1789, _e1797, (_e1797 > _e1789));
-                                                                    let _e1801 = select(_e1779, _e1778, (_e1778 > _e1779));
-                                                                    let _e1803 = select(_e1783, _e1782, (_e1782 > _e1783));
-                                                                    let _e1805 = select(_e1803, _e1801, (_e1801 < _e1803));
-                                                                    let _e1807 = select(_e1791, _e1805, (_e1805 < _e1791));
-                                                                    let _e1808 = -(_e1789);
-                                                                    let _e1814 = select(_e611, _e1799, (_e1799 > _e611));
-                                                                    if (_e1814 > (_e1807 + (select(_e1808, _e1791, (_e1791 > _e1808)) * 0.0000019073523f))) {
+                                                                    let _e1269 = select(_e1169[1][0], _e1169[0][0], (_e1169[0][0] < _e1169[1][0]));
+                                                                    let _e1273 = select(_e1169[1][0], _e1169[0][0], (_e1169[0][0] > _e1169[1][0]));
+                                                                    let _e1277 = select(_e1169[1][1], _e1169[0][1], (_e1169[0][1] < _e1169[1][1]));
+                                                                    let _e1281 = select(_e1169[1][1], _e1169[0][1], (_e1169[0][1] > _e1169[1][1]));
+                                                                    let _e1285 = select(_e1169[1][2], _e1169[0][2], (_e1169[0][2] < _e1169[1][2]));
+                                                                    let _e1289 = select(_e1169[1][2], _e1169[0][2], (_e1169[0][2] > _e1169[1][2]));
+                                                                    let _e1294 = ((select(_e1169[2][0], _e1269, (_e1269 < _e1169[2][0])) - _e363) * _e368);
+                                                                    let _e1295 = ((select(_e1169[2][0], _e1273, (_e1273 > _e1169[2][0])) - _e364) * _e368);
+                                                                    let _e1298 = ((select(_e1169[2][1], _e1277, (_e1277 < _e1169[2][1])) - _e429) * _e434);
+                                                                    let _e1299 = ((select(_e1169[2][1], _e1281, (_e1281 > _e1169[2][1])) - _e430) * _e434);
+                                                                    let _e1302 = ((select(_e1169[2][2], _e1285, (_e1285 < _e1169[2][2])) - _e495) * _e500);
+                                                                    let _e1303 = ((select(_e1169[2][2], _e1289, (_e1289 > _e1169[2][2])) - _e496) * _e500);
+                                                                    let _e1305 = select(_e1303, _e1302, (_e1302 < _e1303));
+                                                                    let _e1307 = select(_e1303, _e1302, (_e1302 > _e1303));
+                                                                    let _e1309 = select(_e1295, _e1294, (_e1294 < _e1295));
+                                                                    let _e1311 = select(_e1299, _e1298, (_e1298 < _e1299));
+                                                                    let _e1313 = select(_e1311, _e1309, (_e1309 > _e1311));
+                                                                    let _e1315 = select(_e1305, _e1313, (_e1313 > _e1305));
+                                                                    let _e1317 = select(_e1295, _e1294, (_e1294 > _e1295));
+                                                                    let _e1319 = select(_e1299, _e1298, (_e1298 > _e1299));
+                                                                    let _e1321 = select(_e1319, _e1317, (_e1317 < _e1319));
+                                                                    let _e1323 = select(_e1307, _e1321, (_e1321 < _e1307));
+                                                                    let _e1324 = -(_e1305);
+                                                                    let _e1330 = select(_e611, _e1315, (_e1315 > _e611));
+                                                                    if (_e1330 > (_e1323 + (select(_e1324, _e1307, (_e1307 > _e1324)) * 0.0000019073523f))) {
                                                                         phi_2959_ = type_18();
                                                                         phi_2960_ = true;
                                                                     } else {
-                                                                        let _e1816 = (_e1814 > _e1200.member.member_1);
-                                                                        if _e1816 {
+                                                                        let _e1332 = (_e1330 > _e716.member.member_1);
+                                                                        if _e1332 {
                                                                             phi_2958_ = type_18();
                                                                         } else {
-                                                                            let _e1817 = vec3<f32>(_e1653[0][0], _e1653[0][1], _e1653[0][2]);
-                                                                            let _e1818 = vec3<f32>(_e1653[1][0], _e1653[1][1], _e1653[1][2]);
-                                                                            let _e1819 = vec3<f32>(_e1653[2][0], _e1653[2][1], _e1653[2][2]);
-                                                                            let _e1820 = (_e1653[1][0] - _e1653[0][0]);
-                                                                            let _e1821 = (_e1653[1][1] - _e1653[0][1]);
-                                                                            let _e1822 = (_e1653[1][2] - _e1653[0][2]);
-                                                                            let _e1823 = vec3<f32>(_e1820, _e1821, _e1822);
-                                                                            let _e1824 = (_e1653[2][0] - _e1653[1][0]);
-                                                                            let _e1825 = (_e1653[2][1] - _e1653[1][1]);
-                                                                            let _e1826 = (_e1653[2][2] - _e1653[1][2]);
-                                                                            let _e1827 = vec3<f32>(_e1824, _e1825, _e1826);
-                                                                            let _e1828 = (_e1653[0][0] - _e1653[2][0]);
-                                                                            let _e1829 = (_e1653[0][1] - _e1653[2][1]);
-                                                                            let _e1830 = (_e1653[0][2] - _e1653[2][2]);
-                                                                            let _e1831 = vec3<f32>(_e1828, _e1829, _e1830);
-                                                                            let _e1834 = bitcast<f32>((bitcast<u32>(_e1820) & 2147483647u));
-                                                                            let _e1837 = bitcast<f32>((bitcast<u32>(_e1821) & 2147483647u));
-                                                                            let _e1839 = select(_e1837, _e1834, (_e1834 > _e1837));
-                                                                            let _e1842 = bitcast<f32>((bitcast<u32>(_e1822) & 2147483647u));
-                                                                            let _e1844 = select(_e1842, _e1839, (_e1839 > _e1842));
-                                                                            let _e1847 = bitcast<f32>((bitcast<u32>(_e1824) & 2147483647u));
-                                                                            let _e1850 = bitcast<f32>((bitcast<u32>(_e1825) & 2147483647u));
-                                                                            let _e1852 = select(_e1850, _e1847, (_e1847 > _e1850));
-                                                                            let _e1855 = bitcast<f32>((bitcast<u32>(_e1826) & 2147483647u));
-                                                                            let _e1857 = select(_e1855, _e1852, (_e1852 > _e1855));
-                                                                            let _e1860 = bitcast<f32>((bitcast<u32>(_e1828) & 2147483647u));
-                                                                            let _e1863 = bitcast<f32>((bitcast<u32>(_e1829) & 2147483647u));
-                                                                            let _e1865 = select(_e1863, _e1860, (_e1860 > _e1863));
-                                                                            let _e1868 = bitcast<f32>((bitcast<u32>(_e1830) & 2147483647u));
-                                                                            let _e1870 = select(_e1868, _e1865, (_e1865 > _e1868));
-                                                                            let _e1872 = select(_e1857, _e1844, (_e1844 > _e1857));
-                                                                            let _e1874 = select(_e1870, _e1872, (_e1872 > _e1870));
-                                                                            if (_e1844 == _e1874) {
-                                                                                phi_2685_ = _e1681;
-                                                                                phi_2686_ = _e1678;
-                                                                                phi_2687_ = _e1668;
-                                                                                phi_2688_ = _e1665;
-                                                                                phi_2689_ = _e1817;
-                                                                                phi_2690_ = _e1831;
-                                                                                phi_2691_ = _e1827;
-                                                                                phi_2692_ = _e1823;
+                                                                            let _e1333 = vec3<f32>(_e1169[0][0], _e1169[0][1], _e1169[0][2]);
+                                                                            let _e1334 = vec3<f32>(_e1169[1][0], _e1169[1][1], _e1169[1][2]);
+                                                                            let _e1335 = vec3<f32>(_e1169[2][0], _e1169[2][1], _e1169[2][2]);
+                                                                            let _e1336 = (_e1169[1][0] - _e1169[0][0]);
+                                                                            let _e1337 = (_e1169[1][1] - _e1169[0][1]);
+                                                                            let _e1338 = (_e1169[1][2] - _e1169[0][2]);
+                                                                            let _e1339 = vec3<f32>(_e1336, _e1337, _e1338);
+                                                                            let _e1340 = (_e1169[2][0] - _e1169[1][0]);
+                                                                            let _e1341 = (_e1169[2][1] - _e1169[1][1]);
+                                                                            let _e1342 = (_e1169[2][2] - _e1169[1][2]);
+                                                                            let _e1343 = vec3<f32>(_e1340, _e1341, _e1342);
+                                                                            let _e1344 = (_e1169[0][0] - _e1169[2][0]);
+                                                                            let _e1345 = (_e1169[0][1] - _e1169[2][1]);
+                                                                            let _e1346 = (_e1169[0][2] - _e1169[2][2]);
+                                                                            let _e1347 = vec3<f32>(_e1344, _e1345, _e1346);
+                                                                            let _e1350 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
+                                                                            let _e1353 = bitcast<f32>((bitcast<u32>(_e1337) & 2147483647u));
+                                                                            let _e1355 = select(_e1353, _e1350, (_e1350 > _e1353));
+                                                                            let _e1358 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
+                                                                            let _e1360 = select(_e1358, _e1355, (_e1355 > _e1358));
+                                                                            let _e1363 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
+                                                                            let _e1366 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
+                                                                            let _e1368 = select(_e1366, _e1363, (_e1363 > _e1366));
+                                                                            let _e1371 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
+                                                                            let _e1373 = select(_e1371, _e1368, (_e1368 > _e1371));
+                                                                            let _e1376 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
+                                                                            let _e1379 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
+                                                                            let _e1381 = select(_e1379, _e1376, (_e1376 > _e1379));
+                                                                            let _e1384 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
+                                                                            let _e1386 = select(_e1384, _e1381, (_e1381 > _e1384));
+                                                                            let _e1388 = select(_e1373, _e1360, (_e1360 > _e1373));
+                                                                            let _e1390 = select(_e1386, _e1388, (_e1388 > _e1386));
+                                                                            if (_e1360 == _e1390) {
+                                                                                phi_2685_ = _e1197;
+                                                                                phi_2686_ = _e1194;
+                                                                                phi_2687_ = _e1184;
+                                                                                phi_2688_ = _e1181;
+                                                                                phi_2689_ = _e1333;
+                                                                                phi_2690_ = _e1347;
+                                                                                phi_2691_ = _e1343;
+                                                                                phi_2692_ = _e1339;
                                                                             } else {
-                                                                                let _e1876 = (_e1857 == _e1874);
-                                                                                let _e1881 = vec3(_e1876);
-                                                                                phi_2685_ = select(_e1668, _e1694, _e1876);
-                                                                                phi_2686_ = select(_e1665, _e1691, _e1876);
-                                                                                phi_2687_ = select(_e1694, _e1681, _e1876);
-                                                                                phi_2688_ = select(_e1691, _e1678, _e1876);
-                                                                                phi_2689_ = select(_e1819, _e1818, _e1881);
-                                                                                phi_2690_ = select(_e1827, _e1823, _e1881);
-                                                                                phi_2691_ = select(_e1823, _e1831, _e1881);
-                                                                                phi_2692_ = select(_e1831, _e1827, _e1881);
+                                                                                let _e1392 = (_e1373 == _e1390);
+                                                                                let _e1397 = vec3(_e1392);
+                                                                                phi_2685_ = select(_e1184, _e1210, _e1392);
+                                                                                phi_2686_ = select(_e1181, _e1207, _e1392);
+                                                                                phi_2687_ = select(_e1210, _e1197, _e1392);
+                                                                                phi_2688_ = select(_e1207, _e1194, _e1392);
+                                                                                phi_2689_ = select(_e1335, _e1334, _e1397);
+                                                                                phi_2690_ = select(_e1343, _e1339, _e1397);
+                                                                                phi_2691_ = select(_e1339, _e1347, _e1397);
+                                                                                phi_2692_ = select(_e1347, _e1343, _e1397);
                                                                             }
-                                                                            let _e1887 = phi_2685_;
-                                                                            let _e1889 = phi_2686_;
-                                                                            let _e1891 = phi_2687_;
-                                                                            let _e1893 = phi_2688_;
-                                                                            let _e1895 = phi_2689_;
-                                                                            let _e1897 = phi_2690_;
-                                                                            let _e1899 = phi_2691_;
-                                                                            let _e1901 = phi_2692_;
-                                                                            let _e1908 = ((_e1899.y * _e1897.z) - (_e1897.y * _e1899.z));
-                                                                            let _e1913 = ((_e1899.z * _e1897.x) - (_e1897.z * _e1899.x));
-                                                                            let _e1916 = ((_e1899.x * _e1897.y) - (_e1897.x * _e1899.y));
-                                                                            if (_e1716 >= _e1720) {
-                                                                                phi_2729_ = select(true, false, (_e1716 >= _e1724));
+                                                                            let _e1403 = phi_2685_;
+                                                                            let _e1405 = phi_2686_;
+                                                                            let _e1407 = phi_2687_;
+                                                                            let _e1409 = phi_2688_;
+                                                                            let _e1411 = phi_2689_;
+                                                                            let _e1413 = phi_2690_;
+                                                                            let _e1415 = phi_2691_;
+                                                                            let _e1417 = phi_2692_;
+                                                                            let _e1424 = ((_e1415.y * _e1413.z) - (_e1413.y * _e1415.z));
+                                                                            let _e1429 = ((_e1415.z * _e1413.x) - (_e1413.z * _e1415.x));
+                                                                            let _e1432 = ((_e1415.x * _e1413.y) - (_e1413.x * _e1415.y));
+                                                                            if (_e1232 >= _e1236) {
+                                                                                phi_2729_ = select(true, false, (_e1232 >= _e1240));
                                                                             } else {
                                                                                 phi_2729_ = true;
                                                                             }
-                                                                            let _e1921 = phi_2729_;
-                                                                            if _e1921 {
-                                                                                phi_2738_ = select(_e1819, _e1818, vec3((_e1720 >= _e1724)));
+                                                                            let _e1437 = phi_2729_;
+                                                                            if _e1437 {
+                                                                                phi_2738_ = select(_e1335, _e1334, vec3((_e1236 >= _e1240)));
                                                                             } else {
-                                                                                phi_2738_ = _e1817;
+                                                                                phi_2738_ = _e1333;
                                                                             }
-                                                                            let _e1926 = phi_2738_;
-                                                                            let _e1937 = (((_e1908 * (_e1926.x - _e325)) + (_e1913 * (_e1926.y - _e392))) + (_e1916 * (_e1926.z - _e458)));
-                                                                            let _e1942 = (((_e1908 * _e365) + (_e1913 * _e431)) + (_e1916 * _e497));
-                                                                            let _e1943 = (_e1889 - _e1893);
-                                                                            let _e1944 = (_e1887 - _e1891);
-                                                                            let _e1952 = (-(((_e1893 * _e1943) + (_e1891 * _e1944))) / ((_e1943 * _e1943) + (_e1944 * _e1944)));
-                                                                            let _e1954 = select(1f, _e1952, (_e1952 < 1f));
-                                                                            let _e1956 = select(0f, _e1954, (_e1954 > 0f));
-                                                                            let _e1969 = ((_e1895.x + (_e1901.x * _e1956)) - _e325);
-                                                                            let _e1970 = ((_e1895.y + (_e1901.y * _e1956)) - _e392);
-                                                                            let _e1971 = ((_e1895.z + (_e1901.z * _e1956)) - _e458);
-                                                                            let _e1972 = (_e1971 / _e497);
-                                                                            let _e1984 = bitcast<f32>((bitcast<u32>(_e1969) & 2147483647u));
-                                                                            let _e1987 = bitcast<f32>((bitcast<u32>(_e1970) & 2147483647u));
-                                                                            let _e1989 = select(_e1987, _e1984, (_e1984 > _e1987));
-                                                                            let _e1992 = bitcast<f32>((bitcast<u32>(_e1971) & 2147483647u));
-                                                                            let _e1994 = select(_e1992, _e1989, (_e1989 > _e1992));
-                                                                            let _e2000 = bitcast<f32>((bitcast<u32>(_e1908) & 2147483647u));
-                                                                            let _e2003 = bitcast<f32>((bitcast<u32>(_e1913) & 2147483647u));
-                                                                            let _e2005 = select(_e2003, _e2000, (_e2000 > _e2003));
-                                                                            let _e2008 = bitcast<f32>((bitcast<u32>(_e1916) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1908 * _e1969) + (_e1913 * _e1970)) + (_e1916 * _e1971)) - _e1937)) & 2147483647u)) <= ((0.0000009536743f * select(_e1874, _e1994, (_e1994 > _e1874))) * select(_e2008, _e2005, (_e2005 > _e2008)))) {
-                                                                                let _e2018 = bitcast<f32>((bitcast<u32>(_e1899.x) & 2147483647u));
-                                                                                let _e2021 = bitcast<f32>((bitcast<u32>(_e1899.y) & 2147483647u));
-                                                                                let _e2023 = select(_e2021, _e2018, (_e2018 > _e2021));
-                                                                                let _e2026 = bitcast<f32>((bitcast<u32>(_e1899.z) & 2147483647u));
-                                                                                let _e2032 = bitcast<f32>((bitcast<u32>(_e1897.x) & 2147483647u));
-                                                                                let _e2035 = bitcast<f32>((bitcast<u32>(_e1897.y) & 2147483647u));
-                                                                                let _e2037 = select(_e2035, _e2032, (_e2032 > _e2035));
-                                                                                let _e2040 = bitcast<f32>((bitcast<u32>(_e1897.z) & 2147483647u));
-                                                                                let _e2044 = (bitcast<f32>((bitcast<u32>(_e1942) & 2147483647u)) > ((0.0000038146973f * select(_e2026, _e2023, (_e2023 > _e2026))) * select(_e2040, _e2037, (_e2037 > _e2040))));
-                                                                                if _e2044 {
-                                                                                    phi_2903_ = (_e1937 / _e1942);
+                                                                            let _e1442 = phi_2738_;
+                                                                            let _e1453 = (((_e1424 * (_e1442.x - _e325)) + (_e1429 * (_e1442.y - _e392))) + (_e1432 * (_e1442.z - _e458)));
+                                                                            let _e1458 = (((_e1424 * _e365) + (_e1429 * _e431)) + (_e1432 * _e497));
+                                                                            let _e1459 = (_e1405 - _e1409);
+                                                                            let _e1460 = (_e1403 - _e1407);
+                                                                            let _e1468 = (-(((_e1409 * _e1459) + (_e1407 * _e1460))) / ((_e1459 * _e1459) + (_e1460 * _e1460)));
+                                                                            let _e1470 = select(1f, _e1468, (_e1468 < 1f));
+                                                                            let _e1472 = select(0f, _e1470, (_e1470 > 0f));
+                                                                            let _e1485 = ((_e1411.x + (_e1417.x * _e1472)) - _e325);
+                                                                            let _e1486 = ((_e1411.y + (_e1417.y * _e1472)) - _e392);
+                                                                            let _e1487 = ((_e1411.z + (_e1417.z * _e1472)) - _e458);
+                                                                            let _e1488 = (_e1487 / _e497);
+                                                                            let _e1500 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
+                                                                            let _e1503 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
+                                                                            let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
+                                                                            let _e1508 = bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u));
+                                                                            let _e1510 = select(_e1508, _e1505, (_e1505 > _e1508));
+                                                                            let _e1516 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
+                                                                            let _e1519 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
+                                                                            let _e1521 = select(_e1519, _e1516, (_e1516 > _e1519));
+                                                                            let _e1524 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1424 * _e1485) + (_e1429 * _e1486)) + (_e1432 * _e1487)) - _e1453)) & 2147483647u)) <= ((0.0000009536743f * select(_e1390, _e1510, (_e1510 > _e1390))) * select(_e1524, _e1521, (_e1521 > _e1524)))) {
+                                                                                let _e1534 = bitcast<f32>((bitcast<u32>(_e1415.x) & 2147483647u));
+                                                                                let _e1537 = bitcast<f32>((bitcast<u32>(_e1415.y) & 2147483647u));
+                                                                                let _e1539 = select(_e1537, _e1534, (_e1534 > _e1537));
+                                                                                let _e1542 = bitcast<f32>((bitcast<u32>(_e1415.z) & 2147483647u));
+                                                                                let _e1548 = bitcast<f32>((bitcast<u32>(_e1413.x) & 2147483647u));
+                                                                                let _e1551 = bitcast<f32>((bitcast<u32>(_e1413.y) & 2147483647u));
+                                                                                let _e1553 = select(_e1551, _e1548, (_e1548 > _e1551));
+                                                                                let _e1556 = bitcast<f32>((bitcast<u32>(_e1413.z) & 2147483647u));
+                                                                                let _e1560 = (bitcast<f32>((bitcast<u32>(_e1458) & 2147483647u)) > ((0.0000038146973f * select(_e1542, _e1539, (_e1539 > _e1542))) * select(_e1556, _e1553, (_e1553 > _e1556))));
+                                                                                if _e1560 {
+                                                                                    phi_2903_ = (_e1453 / _e1458);
                                                                                 } else {
                                                                                     phi_2903_ = f32();
                                                                                 }
-                                                                                let _e2047 = phi_2903_;
-                                                                                phi_2905_ = _e2047;
-                                                                                phi_2906_ = select(true, false, _e2044);
+                                                                                let _e1563 = phi_2903_;
+                                                                                phi_2905_ = _e1563;
+                                                                                phi_2906_ = select(true, false, _e1560);
                                                                             } else {
                                                                                 phi_2905_ = f32();
                                                                                 phi_2906_ = true;
                                                                             }
-                                                                            let _e2050 = phi_2905_;
-                                                                            let _e2052 = phi_2906_;
-                                                                            if _e2052 {
-                                                                                let _e2060 = (((_e1908 * (_e1969 - (_e365 * _e1972))) + (_e1913 * (_e1970 - (_e431 * _e1972)))) / _e1942);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e2060) & 2147483647u)) <= _e1874) {
-                                                                                    phi_2926_ = (_e1972 + _e2060);
+                                                                            let _e1566 = phi_2905_;
+                                                                            let _e1568 = phi_2906_;
+                                                                            if _e1568 {
+                                                                                let _e1576 = (((_e1424 * (_e1485 - (_e365 * _e1488))) + (_e1429 * (_e1486 - (_e431 * _e1488)))) / _e1458);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1576) & 2147483647u)) <= _e1390) {
+                                                                                    phi_2926_ = (_e1488 + _e1576);
                                                                                 } else {
-                                                                                    phi_2926_ = _e1972;
+                                                                                    phi_2926_ = _e1488;
                                                                                 }
-                                                                                let _e2067 = phi_2926_;
-                                                                                phi_2927_ = _e2067;
+                                                                                let _e1583 = phi_2926_;
+                                                                                phi_2927_ = _e1583;
                                                                             } else {
-                                                                                phi_2927_ = _e2050;
+                                                                                phi_2927_ = _e1566;
                                                                             }
-                                                                            let _e2069 = phi_2927_;
-                                                                            let _e2071 = select(_e1807, _e2069, (_e2069 < _e1807));
-                                                                            let _e2073 = select(_e1799, _e2071, (_e2071 > _e1799));
-                                                                            if (_e2073 >= _e611) {
-                                                                                let _e2075 = (_e2073 <= _e1200.member.member_1);
-                                                                                if _e2075 {
-                                                                                    let _e2076 = (1f / _e1726);
-                                                                                    phi_2950_ = type_18(_e2073, (_e1720 * _e2076), (_e1724 * _e2076), _e1266);
+                                                                            let _e1585 = phi_2927_;
+                                                                            let _e1587 = select(_e1323, _e1585, (_e1585 < _e1323));
+                                                                            let _e1589 = select(_e1315, _e1587, (_e1587 > _e1315));
+                                                                            if (_e1589 >= _e611) {
+                                                                                let _e1591 = (_e1589 <= _e716.member.member_1);
+                                                                                if _e1591 {
+                                                                                    let _e1592 = (1f / _e1242);
+                                                                                    phi_2950_ = type_18(_e1589, (_e1236 * _e1592), (_e1240 * _e1592), _e782);
                                                                                 } else {
                                                                                     phi_2950_ = type_18();
                                                                                 }
-                                                                                let _e2081 = phi_2950_;
-                                                                                phi_2952_ = _e2081;
-                                                                                phi_2953_ = select(true, false, _e2075);
+                                                                                let _e1597 = phi_2950_;
+                                                                                phi_2952_ = _e1597;
+                                                                                phi_2953_ = select(true, false, _e1591);
                                                                             } else {
                                                                                 phi_2952_ = type_18();
                                                                                 phi_2953_ = true;
                                                                             }
-                                                                            let _e2084 = phi_2952_;
-                                                                            let _e2086 = phi_2953_;
-                                                                            if _e2086 {
+                                                                            let _e1600 = phi_2952_;
+                                                                            let _e1602 = phi_2953_;
+                                                                            if _e1602 {
                                                                                 phi_2957_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2957_ = _e2084;
+                                                                                phi_2957_ = _e1600;
                                                                             }
-                                                                            let _e2088 = phi_2957_;
-                                                                            phi_2958_ = _e2088;
+                                                                            let _e1604 = phi_2957_;
+                                                                            phi_2958_ = _e1604;
                                                                         }
-                                                                        let _e2090 = phi_2958_;
-                                                                        phi_2959_ = _e2090;
-                                                                        phi_2960_ = _e1816;
+                                                                        let _e1606 = phi_2958_;
+                                                                        phi_2959_ = _e1606;
+                                                                        phi_2960_ = _e1332;
                                                                     }
-                                                                    let _e2092 = phi_2959_;
-                                                                    let _e2094 = phi_2960_;
-                                                                    phi_2964_ = _e2092;
-                                                                    phi_2965_ = _e2094;
+                                                                    let _e1608 = phi_2959_;
+                                                                    let _e1610 = phi_2960_;
+                                                                    phi_2964_ = _e1608;
+                                                                    phi_2965_ = _e1610;
                                                                 }
-                                                                let _e2096 = phi_2964_;
-                                                                let _e2098 = phi_2965_;
-                                                                phi_2966_ = _e2096;
-                                                                phi_2967_ = _e1751;
-                                                                phi_2968_ = _e2098;
+                                                                let _e1612 = phi_2964_;
+                                                                let _e1614 = phi_2965_;
+                                                                phi_2966_ = _e1612;
+                                                                phi_2967_ = _e1267;
+                                                                phi_2968_ = _e1614;
                                                             }
-                                                            let _e2100 = phi_2966_;
-                                                            let _e2102 = phi_2967_;
-                                                            let _e2104 = phi_2968_;
-                                                            phi_2969_ = _e2100;
-                                                            phi_2970_ = _e2102;
-                                                            phi_2971_ = _e2104;
+                                                            let _e1616 = phi_2966_;
+                                                            let _e1618 = phi_2967_;
+                                                            let _e1620 = phi_2968_;
+                                                            phi_2969_ = _e1616;
+                                                            phi_2970_ = _e1618;
+                                                            phi_2971_ = _e1620;
                                                         }
-                                                        let _e2106 = phi_2969_;
-                                                        let _e2108 = phi_2970_;
-                                                        let _e2110 = phi_2971_;
-                                                        phi_2979_ = _e2106;
-                                                        phi_2980_ = select(_e2110, true, _e2108);
+                                                        let _e1622 = phi_2969_;
+                                                        let _e1624 = phi_2970_;
+                                                        let _e1626 = phi_2971_;
+                                                        phi_2979_ = _e1622;
+                                                        phi_2980_ = select(_e1626, true, _e1624);
                                                     } else {
                                                         phi_2979_ = type_18();
                                                         phi_2980_ = true;
                                                     }
-                                                    let _e2113 = phi_2979_;
-                                                    let _e2115 = phi_2980_;
-                                                    if _e2115 {
+                                                    let _e1629 = phi_2979_;
+                                                    let _e1631 = phi_2980_;
+                                                    if _e1631 {
                                                         phi_2984_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2984_ = _e2113;
+                                                        phi_2984_ = _e1629;
                                                     }
-                                                    let _e2117 = phi_2984_;
-                                                    if (_e2117.member_3 != 4294967295u) {
-                                                        if (_e1266 != _e617) {
-                                                            if (_e2117.member < _e1200.member.member.member) {
+                                                    let _e1633 = phi_2984_;
+                                                    if (_e1633.member_3 != 4294967295u) {
+                                                        if (_e782 != _e617) {
+                                                            if (_e1633.member < _e716.member.member.member) {
                                                                 phi_3010_ = true;
                                                             } else {
-                                                                if (_e2117.member == _e1200.member.member.member) {
-                                                                    phi_3009_ = (_e2117.member_3 < _e1200.member.member.member_3);
+                                                                if (_e1633.member == _e716.member.member.member) {
+                                                                    phi_3009_ = (_e1633.member_3 < _e716.member.member.member_3);
                                                                 } else {
                                                                     phi_3009_ = false;
                                                                 }
-                                                                let _e2132 = phi_3009_;
-                                                                phi_3010_ = _e2132;
+                                                                let _e1648 = phi_3009_;
+                                                                phi_3010_ = _e1648;
                                                             }
-                                                            let _e2134 = phi_3010_;
-                                                            if _e2134 {
-                                                                phi_3017_ = type_38(type_35(_e2117, _e2117.member), _e1227.member_1, _e1227.member_2);
+                                                            let _e1650 = phi_3010_;
+                                                            if _e1650 {
+                                                                phi_3017_ = type_38(type_35(_e1633, _e1633.member), _e743.member_1, _e743.member_2);
                                                             } else {
-                                                                phi_3017_ = _e1227;
+                                                                phi_3017_ = _e743;
                                                             }
-                                                            let _e2141 = phi_3017_;
-                                                            phi_3018_ = _e2141;
+                                                            let _e1657 = phi_3017_;
+                                                            phi_3018_ = _e1657;
                                                         } else {
-                                                            phi_3018_ = _e1227;
+                                                            phi_3018_ = _e743;
                                                         }
-                                                        let _e2143 = phi_3018_;
-                                                        phi_3019_ = _e2143;
+                                                        let _e1659 = phi_3018_;
+                                                        phi_3019_ = _e1659;
                                                     } else {
-                                                        phi_3019_ = _e1227;
+                                                        phi_3019_ = _e743;
                                                     }
-                                                    let _e2145 = phi_3019_;
-                                                    phi_1319_ = _e2145;
+                                                    let _e1661 = phi_3019_;
+                                                    phi_1319_ = _e1661;
                                                 } else {
                                                     phi_1319_ = type_38();
                                                 }
-                                                let _e2147 = phi_1319_;
+                                                let _e1663 = phi_1319_;
                                                 continue;
                                                 continuing {
-                                                    phi_1318_ = _e2147;
-                                                    phi_1321_ = _e1215;
-                                                    phi_4777_ = _e658;
-                                                    break if !(_e1221);
+                                                    phi_1318_ = _e1663;
+                                                    phi_1321_ = _e731;
+                                                    phi_4783_ = _e658;
+                                                    break if !(_e737);
                                                 }
                                             }
-                                            let _e2150 = phi_4777_;
-                                            phi_4984_ = _e2150;
-                                            if _e2150 {
+                                            let _e1666 = phi_4783_;
+                                            phi_4990_ = _e1666;
+                                            if _e1666 {
                                                 break;
                                             }
-                                            phi_4988_ = _e2150;
-                                            let _e2519 = local_12;
-                                            phi_4294_ = _e2519;
-                                            phi_4295_ = false;
-                                            phi_4296_ = _e702;
-                                            phi_4297_ = _e704;
+                                            phi_5081_ = _e1666;
+                                            let _e2506 = local_12;
+                                            phi_3020_ = _e2506;
+                                        } else {
+                                            phi_5081_ = _e658;
+                                            phi_3020_ = _e660;
+                                        }
+                                        let _e1668 = phi_5081_;
+                                        let _e1670 = phi_3020_;
+                                        if _e708 {
+                                            phi_4289_ = type_38();
+                                            phi_4290_ = bool();
+                                            phi_4291_ = u32();
+                                            phi_4292_ = type_49();
                                         } else {
                                             if (_e704.member_1 >= _e97) {
-                                                phi_3825_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                                phi_3821_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
                                                 if (_e704.member_1 < _e97) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e716 = (_e278 * 2u);
-                                                let _e718 = ((1u + _e716) % 7u);
-                                                if (_e718 < 7u) {
+                                                let _e1673 = (_e278 * 2u);
+                                                let _e1675 = ((1u + _e1673) % 7u);
+                                                if (_e1675 < 7u) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e723 = global_6.member[_e704.member_1][_e718];
-                                                let _e725 = ((_e716 + 2u) % 7u);
-                                                if (_e725 < 7u) {
+                                                let _e1680 = global_6.member[_e704.member_1][_e1675];
+                                                let _e1682 = ((_e1673 + 2u) % 7u);
+                                                if (_e1682 < 7u) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e730 = global_6.member[_e704.member_1][_e725];
-                                                let _e731 = (_e277 * 2u);
-                                                let _e733 = ((1u + _e731) % 7u);
-                                                if (_e733 < 7u) {
+                                                let _e1687 = global_6.member[_e704.member_1][_e1682];
+                                                let _e1688 = (_e277 * 2u);
+                                                let _e1690 = ((1u + _e1688) % 7u);
+                                                if (_e1690 < 7u) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e738 = global_6.member[_e704.member_1][_e733];
-                                                let _e740 = ((_e731 + 2u) % 7u);
-                                                if (_e740 < 7u) {
+                                                let _e1695 = global_6.member[_e704.member_1][_e1690];
+                                                let _e1697 = ((_e1688 + 2u) % 7u);
+                                                if (_e1697 < 7u) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e745 = global_6.member[_e704.member_1][_e740];
-                                                let _e746 = (_e279 * 2u);
-                                                let _e748 = ((1u + _e746) % 7u);
-                                                if (_e748 < 7u) {
+                                                let _e1702 = global_6.member[_e704.member_1][_e1697];
+                                                let _e1703 = (_e279 * 2u);
+                                                let _e1705 = ((1u + _e1703) % 7u);
+                                                if (_e1705 < 7u) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e753 = global_6.member[_e704.member_1][_e748];
-                                                let _e755 = ((_e746 + 2u) % 7u);
-                                                if (_e755 < 7u) {
+                                                let _e1710 = global_6.member[_e704.member_1][_e1705];
+                                                let _e1712 = ((_e1703 + 2u) % 7u);
+                                                if (_e1712 < 7u) {
                                                 } else {
-                                                    phi_4984_ = true;
+                                                    phi_4990_ = true;
                                                     break;
                                                 }
-                                                let _e760 = global_6.member[_e704.member_1][_e755];
-                                                let _e783 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e784 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e785 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e787 = select(_e152, _e783, (_e783 > _e152));
-                                                let _e789 = select(_e152, _e784, (_e784 > _e152));
-                                                let _e791 = select(_e152, _e785, (_e785 > _e152));
-                                                let _e822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e723 & 2097151u))) - 8388608f) * _e787));
-                                                let _e827 = (bitcast<i32>((_e723 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e830 = bitcast<f32>((_e822 & bitcast<u32>(_e827)));
-                                                let _e831 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e738 & 2097151u))) - 8388608f) * _e789));
-                                                let _e836 = (bitcast<i32>((_e738 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e839 = bitcast<f32>((_e831 & bitcast<u32>(_e836)));
-                                                let _e840 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e753 & 2097151u))) - 8388608f) * _e791));
-                                                let _e845 = (bitcast<i32>((_e753 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e848 = bitcast<f32>((_e840 & bitcast<u32>(_e845)));
-                                                let _e852 = bitcast<f32>((_e822 & bitcast<u32>(~(_e827))));
-                                                let _e856 = bitcast<f32>((_e831 & bitcast<u32>(~(_e836))));
-                                                let _e860 = bitcast<f32>((_e840 & bitcast<u32>(~(_e845))));
-                                                let _e861 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 2097151u))) - 8388608f) * _e787));
-                                                let _e866 = (bitcast<i32>((_e730 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e869 = bitcast<f32>((_e861 & bitcast<u32>(_e866)));
-                                                let _e870 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 2097151u))) - 8388608f) * _e789));
-                                                let _e875 = (bitcast<i32>((_e745 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e878 = bitcast<f32>((_e870 & bitcast<u32>(_e875)));
-                                                let _e879 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e760 & 2097151u))) - 8388608f) * _e791));
-                                                let _e884 = (bitcast<i32>((_e760 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e887 = bitcast<f32>((_e879 & bitcast<u32>(_e884)));
-                                                let _e891 = bitcast<f32>((_e861 & bitcast<u32>(~(_e866))));
-                                                let _e895 = bitcast<f32>((_e870 & bitcast<u32>(~(_e875))));
-                                                let _e899 = bitcast<f32>((_e879 & bitcast<u32>(~(_e884))));
-                                                let _e900 = (_e704.member.member.x + _e830);
-                                                let _e901 = (_e704.member.member.y + _e839);
-                                                let _e902 = (_e704.member.member.z + _e848);
-                                                let _e905 = (_e704.member.member_1.x - _e869);
-                                                let _e906 = (_e704.member.member_1.y - _e878);
-                                                let _e907 = (_e704.member.member_1.z - _e887);
-                                                let _e926 = (_e905 - _e900);
-                                                let _e927 = (_e906 - _e901);
-                                                let _e928 = (_e907 - _e902);
-                                                let _e930 = select(_e927, _e926, (_e926 > _e927));
-                                                let _e932 = select(_e928, _e930, (_e930 > _e928));
-                                                if (_e932 < (1024f * _e152)) {
-                                                    phi_3526_ = 0u;
+                                                let _e1717 = global_6.member[_e704.member_1][_e1712];
+                                                let _e1740 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1741 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1742 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1744 = select(_e152, _e1740, (_e1740 > _e152));
+                                                let _e1746 = select(_e152, _e1741, (_e1741 > _e152));
+                                                let _e1748 = select(_e152, _e1742, (_e1742 > _e152));
+                                                let _e1779 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1680 & 2097151u))) - 8388608f) * _e1744));
+                                                let _e1784 = (bitcast<i32>((_e1680 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1787 = bitcast<f32>((_e1779 & bitcast<u32>(_e1784)));
+                                                let _e1788 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1695 & 2097151u))) - 8388608f) * _e1746));
+                                                let _e1793 = (bitcast<i32>((_e1695 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1796 = bitcast<f32>((_e1788 & bitcast<u32>(_e1793)));
+                                                let _e1797 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1710 & 2097151u))) - 8388608f) * _e1748));
+                                                let _e1802 = (bitcast<i32>((_e1710 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1805 = bitcast<f32>((_e1797 & bitcast<u32>(_e1802)));
+                                                let _e1809 = bitcast<f32>((_e1779 & bitcast<u32>(~(_e1784))));
+                                                let _e1813 = bitcast<f32>((_e1788 & bitcast<u32>(~(_e1793))));
+                                                let _e1817 = bitcast<f32>((_e1797 & bitcast<u32>(~(_e1802))));
+                                                let _e1818 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1687 & 2097151u))) - 8388608f) * _e1744));
+                                                let _e1823 = (bitcast<i32>((_e1687 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1826 = bitcast<f32>((_e1818 & bitcast<u32>(_e1823)));
+                                                let _e1827 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1702 & 2097151u))) - 8388608f) * _e1746));
+                                                let _e1832 = (bitcast<i32>((_e1702 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1835 = bitcast<f32>((_e1827 & bitcast<u32>(_e1832)));
+                                                let _e1836 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1717 & 2097151u))) - 8388608f) * _e1748));
+                                                let _e1841 = (bitcast<i32>((_e1717 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1844 = bitcast<f32>((_e1836 & bitcast<u32>(_e1841)));
+                                                let _e1848 = bitcast<f32>((_e1818 & bitcast<u32>(~(_e1823))));
+                                                let _e1852 = bitcast<f32>((_e1827 & bitcast<u32>(~(_e1832))));
+                                                let _e1856 = bitcast<f32>((_e1836 & bitcast<u32>(~(_e1841))));
+                                                let _e1857 = (_e704.member.member.x + _e1787);
+                                                let _e1858 = (_e704.member.member.y + _e1796);
+                                                let _e1859 = (_e704.member.member.z + _e1805);
+                                                let _e1862 = (_e704.member.member_1.x - _e1826);
+                                                let _e1863 = (_e704.member.member_1.y - _e1835);
+                                                let _e1864 = (_e704.member.member_1.z - _e1844);
+                                                let _e1883 = (_e1862 - _e1857);
+                                                let _e1884 = (_e1863 - _e1858);
+                                                let _e1885 = (_e1864 - _e1859);
+                                                let _e1887 = select(_e1884, _e1883, (_e1883 > _e1884));
+                                                let _e1889 = select(_e1885, _e1887, (_e1887 > _e1885));
+                                                if (_e1889 < (1024f * _e152)) {
+                                                    phi_3522_ = 0u;
                                                 } else {
-                                                    phi_3526_ = select(2u, 1u, (_e932 < (2097152f * _e152)));
+                                                    phi_3522_ = select(2u, 1u, (_e1889 < (2097152f * _e152)));
                                                 }
-                                                let _e939 = phi_3526_;
-                                                switch bitcast<i32>(_e939) {
+                                                let _e1896 = phi_3522_;
+                                                switch bitcast<i32>(_e1896) {
                                                     case 0: {
-                                                        phi_3532_ = 1u;
+                                                        phi_3528_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3532_ = 2u;
+                                                        phi_3528_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3532_ = 3u;
+                                                        phi_3528_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3532_ = u32();
+                                                        phi_3528_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e942 = phi_3532_;
-                                                let _e948 = global_6.member[_e704.member_1][0u];
-                                                let _e952 = global_6.member[_e704.member_1][2u];
-                                                let _e956 = global_6.member[_e704.member_1][4u];
-                                                let _e960 = global_6.member[_e704.member_1][6u];
-                                                let _e972 = (((_e952 >> bitcast<u32>(22i)) | ((_e956 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e960 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e973 = (_e948 & 268435455u);
-                                                let _e974 = (_e972 & 268435455u);
-                                                let _e977 = ((_e948 >> bitcast<u32>(28u)) & 7u);
-                                                let _e985 = ((_e948 >> bitcast<u32>(31i)) | (((_e972 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e986 = (_e977 != 0u);
-                                                if (_e977 == 0u) {
-                                                    phi_3787_ = _e973;
+                                                let _e1899 = phi_3528_;
+                                                let _e1905 = global_6.member[_e704.member_1][0u];
+                                                let _e1909 = global_6.member[_e704.member_1][2u];
+                                                let _e1913 = global_6.member[_e704.member_1][4u];
+                                                let _e1917 = global_6.member[_e704.member_1][6u];
+                                                let _e1929 = (((_e1909 >> bitcast<u32>(22i)) | ((_e1913 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1917 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1930 = (_e1905 & 268435455u);
+                                                let _e1931 = (_e1929 & 268435455u);
+                                                let _e1934 = ((_e1905 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1942 = ((_e1905 >> bitcast<u32>(31i)) | (((_e1929 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1943 = (_e1934 != 0u);
+                                                if (_e1934 == 0u) {
+                                                    phi_3783_ = _e1930;
                                                 } else {
-                                                    if (_e977 == 7u) {
-                                                        phi_3786_ = 2147483648u;
+                                                    if (_e1934 == 7u) {
+                                                        phi_3782_ = 2147483648u;
                                                     } else {
-                                                        phi_3786_ = ((2147483648u | (_e977 << bitcast<u32>(28u))) | (_e974 & 268435455u));
+                                                        phi_3782_ = ((2147483648u | (_e1934 << bitcast<u32>(28u))) | (_e1931 & 268435455u));
                                                     }
-                                                    let _e995 = phi_3786_;
-                                                    phi_3787_ = _e995;
+                                                    let _e1952 = phi_3782_;
+                                                    phi_3783_ = _e1952;
                                                 }
-                                                let _e997 = phi_3787_;
-                                                if _e986 {
-                                                    let _e998 = (_e977 != 7u);
-                                                    if _e998 {
-                                                        phi_3797_ = (_e974 + (_e977 * ((3u * _e942) + 1u)));
+                                                let _e1954 = phi_3783_;
+                                                if _e1943 {
+                                                    let _e1955 = (_e1934 != 7u);
+                                                    if _e1955 {
+                                                        phi_3793_ = (_e1931 + (_e1934 * ((3u * _e1899) + 1u)));
                                                     } else {
-                                                        phi_3797_ = u32();
+                                                        phi_3793_ = u32();
                                                     }
-                                                    let _e1002 = phi_3797_;
-                                                    phi_3799_ = _e1002;
-                                                    phi_3800_ = select(true, false, _e998);
+                                                    let _e1959 = phi_3793_;
+                                                    phi_3795_ = _e1959;
+                                                    phi_3796_ = select(true, false, _e1955);
                                                 } else {
-                                                    phi_3799_ = u32();
-                                                    phi_3800_ = true;
+                                                    phi_3795_ = u32();
+                                                    phi_3796_ = true;
                                                 }
-                                                let _e1005 = phi_3799_;
-                                                let _e1007 = phi_3800_;
-                                                if (_e985 == 0u) {
-                                                    phi_3821_ = (_e973 + select(0u, 1u, !(_e986)));
+                                                let _e1962 = phi_3795_;
+                                                let _e1964 = phi_3796_;
+                                                if (_e1942 == 0u) {
+                                                    phi_3817_ = (_e1930 + select(0u, 1u, !(_e1943)));
                                                 } else {
-                                                    if (_e985 == 7u) {
-                                                        phi_3820_ = 2147483648u;
+                                                    if (_e1942 == 7u) {
+                                                        phi_3816_ = 2147483648u;
                                                     } else {
-                                                        phi_3820_ = ((2147483648u | (_e985 << bitcast<u32>(28u))) | (select(_e1005, _e974, _e1007) & 268435455u));
+                                                        phi_3816_ = ((2147483648u | (_e1942 << bitcast<u32>(28u))) | (select(_e1962, _e1931, _e1964) & 268435455u));
                                                     }
-                                                    let _e1020 = phi_3820_;
-                                                    phi_3821_ = _e1020;
+                                                    let _e1977 = phi_3816_;
+                                                    phi_3817_ = _e1977;
                                                 }
-                                                let _e1022 = phi_3821_;
-                                                phi_3825_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e900, (_e704.member.member.x + _e852), _e905, (_e704.member.member_1.x - _e891)), vec4<f32>(_e901, (_e704.member.member.y + _e856), _e906, (_e704.member.member_1.y - _e895)), vec4<f32>(_e902, (_e704.member.member.z + _e860), _e907, (_e704.member.member_1.z - _e899))), type_49(type_30((_e704.member.member + vec4<f32>(_e830, _e839, _e848, 0f)), (_e704.member.member_1 - vec4<f32>(_e869, _e878, _e887, 0f))), _e997), type_49(type_30((_e704.member.member + vec4<f32>(_e852, _e856, _e860, 0f)), (_e704.member.member_1 - vec4<f32>(_e891, _e895, _e899, 0f))), _e1022));
+                                                let _e1979 = phi_3817_;
+                                                phi_3821_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e1857, (_e704.member.member.x + _e1809), _e1862, (_e704.member.member_1.x - _e1848)), vec4<f32>(_e1858, (_e704.member.member.y + _e1813), _e1863, (_e704.member.member_1.y - _e1852)), vec4<f32>(_e1859, (_e704.member.member.z + _e1817), _e1864, (_e704.member.member_1.z - _e1856))), type_49(type_30((_e704.member.member + vec4<f32>(_e1787, _e1796, _e1805, 0f)), (_e704.member.member_1 - vec4<f32>(_e1826, _e1835, _e1844, 0f))), _e1954), type_49(type_30((_e704.member.member + vec4<f32>(_e1809, _e1813, _e1817, 0f)), (_e704.member.member_1 - vec4<f32>(_e1848, _e1852, _e1856, 0f))), _e1979));
                                             }
-                                            let _e1027 = phi_3825_;
-                                            let _e1046 = ((_e1027.member[0].x - _e363) * _e368);
-                                            let _e1047 = ((_e1027.member[0].y - _e363) * _e368);
-                                            let _e1048 = ((_e1027.member[0].z - _e364) * _e368);
-                                            let _e1049 = ((_e1027.member[0].w - _e364) * _e368);
-                                            let _e1059 = ((_e1027.member[1].x - _e429) * _e434);
-                                            let _e1060 = ((_e1027.member[1].y - _e429) * _e434);
-                                            let _e1061 = ((_e1027.member[1].z - _e430) * _e434);
-                                            let _e1062 = ((_e1027.member[1].w - _e430) * _e434);
-                                            let _e1072 = ((_e1027.member[2].x - _e495) * _e500);
-                                            let _e1073 = ((_e1027.member[2].y - _e495) * _e500);
-                                            let _e1074 = ((_e1027.member[2].z - _e496) * _e500);
-                                            let _e1075 = ((_e1027.member[2].w - _e496) * _e500);
-                                            let _e1077 = select(_e1074, _e1072, (_e1072 < _e1074));
-                                            let _e1079 = select(_e1075, _e1073, (_e1073 < _e1075));
-                                            let _e1081 = select(_e1074, _e1072, (_e1072 > _e1074));
-                                            let _e1083 = select(_e1075, _e1073, (_e1073 > _e1075));
-                                            let _e1085 = select(_e1048, _e1046, (_e1046 < _e1048));
-                                            let _e1087 = select(_e1049, _e1047, (_e1047 < _e1049));
-                                            let _e1089 = select(_e1061, _e1059, (_e1059 < _e1061));
-                                            let _e1091 = select(_e1062, _e1060, (_e1060 < _e1062));
-                                            let _e1093 = select(_e1089, _e1085, (_e1085 > _e1089));
-                                            let _e1095 = select(_e1091, _e1087, (_e1087 > _e1091));
-                                            let _e1097 = select(_e1077, _e1093, (_e1093 > _e1077));
-                                            let _e1099 = select(_e1079, _e1095, (_e1095 > _e1079));
-                                            let _e1101 = select(_e1048, _e1046, (_e1046 > _e1048));
-                                            let _e1103 = select(_e1049, _e1047, (_e1047 > _e1049));
-                                            let _e1105 = select(_e1061, _e1059, (_e1059 > _e1061));
-                                            let _e1107 = select(_e1062, _e1060, (_e1060 > _e1062));
-                                            let _e1109 = select(_e1105, _e1101, (_e1101 < _e1105));
-                                            let _e1111 = select(_e1107, _e1103, (_e1103 < _e1107));
-                                            let _e1116 = -(_e1077);
-                                            let _e1117 = -(_e1079);
-                                            let _e1124 = (select(_e1081, _e1109, (_e1109 < _e1081)) + (select(_e1116, _e1081, (_e1081 > _e1116)) * 0.0000019073523f));
-                                            let _e1125 = (select(_e1083, _e1111, (_e1111 < _e1083)) + (select(_e1117, _e1083, (_e1083 > _e1117)) * 0.0000019073523f));
-                                            let _e1127 = select(_e611, _e1097, (_e1097 > _e611));
-                                            let _e1129 = select(_e611, _e1099, (_e1099 > _e611));
-                                            let _e1134 = (_e1127 <= select(_e660.member.member_1, _e1124, (_e1124 < _e660.member.member_1)));
-                                            let _e1135 = (_e1129 <= select(_e660.member.member_1, _e1125, (_e1125 < _e660.member.member_1)));
-                                            let _e1136 = (_e1127 <= _e1129);
-                                            if _e1134 {
-                                                if _e1135 {
-                                                    if _e1136 {
-                                                        phi_4190_ = _e1027.member_2;
+                                            let _e1984 = phi_3821_;
+                                            let _e2003 = ((_e1984.member[0].x - _e363) * _e368);
+                                            let _e2004 = ((_e1984.member[0].y - _e363) * _e368);
+                                            let _e2005 = ((_e1984.member[0].z - _e364) * _e368);
+                                            let _e2006 = ((_e1984.member[0].w - _e364) * _e368);
+                                            let _e2016 = ((_e1984.member[1].x - _e429) * _e434);
+                                            let _e2017 = ((_e1984.member[1].y - _e429) * _e434);
+                                            let _e2018 = ((_e1984.member[1].z - _e430) * _e434);
+                                            let _e2019 = ((_e1984.member[1].w - _e430) * _e434);
+                                            let _e2029 = ((_e1984.member[2].x - _e495) * _e500);
+                                            let _e2030 = ((_e1984.member[2].y - _e495) * _e500);
+                                            let _e2031 = ((_e1984.member[2].z - _e496) * _e500);
+                                            let _e2032 = ((_e1984.member[2].w - _e496) * _e500);
+                                            let _e2034 = select(_e2031, _e2029, (_e2029 < _e2031));
+                                            let _e2036 = select(_e2032, _e2030, (_e2030 < _e2032));
+                                            let _e2038 = select(_e2031, _e2029, (_e2029 > _e2031));
+                                            let _e2040 = select(_e2032, _e2030, (_e2030 > _e2032));
+                                            let _e2042 = select(_e2005, _e2003, (_e2003 < _e2005));
+                                            let _e2044 = select(_e2006, _e2004, (_e2004 < _e2006));
+                                            let _e2046 = select(_e2018, _e2016, (_e2016 < _e2018));
+                                            let _e2048 = select(_e2019, _e2017, (_e2017 < _e2019));
+                                            let _e2050 = select(_e2046, _e2042, (_e2042 > _e2046));
+                                            let _e2052 = select(_e2048, _e2044, (_e2044 > _e2048));
+                                            let _e2054 = select(_e2034, _e2050, (_e2050 > _e2034));
+                                            let _e2056 = select(_e2036, _e2052, (_e2052 > _e2036));
+                                            let _e2058 = select(_e2005, _e2003, (_e2003 > _e2005));
+                                            let _e2060 = select(_e2006, _e2004, (_e2004 > _e2006));
+                                            let _e2062 = select(_e2018, _e2016, (_e2016 > _e2018));
+                                            let _e2064 = select(_e2019, _e2017, (_e2017 > _e2019));
+                                            let _e2066 = select(_e2062, _e2058, (_e2058 < _e2062));
+                                            let _e2068 = select(_e2064, _e2060, (_e2060 < _e2064));
+                                            let _e2073 = -(_e2034);
+                                            let _e2074 = -(_e2036);
+                                            let _e2081 = (select(_e2038, _e2066, (_e2066 < _e2038)) + (select(_e2073, _e2038, (_e2038 > _e2073)) * 0.0000019073523f));
+                                            let _e2082 = (select(_e2040, _e2068, (_e2068 < _e2040)) + (select(_e2074, _e2040, (_e2040 > _e2074)) * 0.0000019073523f));
+                                            let _e2084 = select(_e611, _e2054, (_e2054 > _e611));
+                                            let _e2086 = select(_e611, _e2056, (_e2056 > _e611));
+                                            let _e2091 = (_e2084 <= select(_e1670.member.member_1, _e2081, (_e2081 < _e1670.member.member_1)));
+                                            let _e2092 = (_e2086 <= select(_e1670.member.member_1, _e2082, (_e2082 < _e1670.member.member_1)));
+                                            let _e2093 = (_e2084 <= _e2086);
+                                            if _e2091 {
+                                                if _e2092 {
+                                                    if _e2093 {
+                                                        phi_4186_ = _e1984.member_2;
                                                     } else {
-                                                        phi_4190_ = _e1027.member_1;
+                                                        phi_4186_ = _e1984.member_1;
                                                     }
-                                                    let _e1140 = phi_4190_;
-                                                    let _e1162 = (_e702 % 128u);
-                                                    let _e1163 = (_e1162 < 128u);
-                                                    if _e1163 {
+                                                    let _e2097 = phi_4186_;
+                                                    let _e2118 = (_e702 % 128u);
+                                                    let _e2119 = (_e2118 < 128u);
+                                                    if _e2119 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1162] = _e1140.member_1;
-                                                    if _e1163 {
+                                                    local_8[_e2118] = _e2097.member_1;
+                                                    if _e2119 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1162] = _e1140.member.member.x;
-                                                    if _e1163 {
+                                                    local_7[_e2118] = _e2097.member.member.x;
+                                                    if _e2119 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1162] = _e1140.member.member.y;
-                                                    if _e1163 {
+                                                    local_6[_e2118] = _e2097.member.member.y;
+                                                    if _e2119 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1162] = _e1140.member.member.z;
-                                                    if _e1163 {
+                                                    local_5[_e2118] = _e2097.member.member.z;
+                                                    if _e2119 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1162] = _e1140.member.member_1.x;
-                                                    if _e1163 {
+                                                    local_4[_e2118] = _e2097.member.member_1.x;
+                                                    if _e2119 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1162] = _e1140.member.member_1.y;
-                                                    if _e1163 {
+                                                    local_3[_e2118] = _e2097.member.member_1.y;
+                                                    if _e2119 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1162] = _e1140.member.member_1.z;
-                                                    if _e1163 {
+                                                    local_2[_e2118] = _e2097.member.member_1.z;
+                                                    if _e2119 {
                                                     } else {
-                                                        phi_4984_ = true;
+                                                        phi_4990_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1162] = select(_e1129, _e1127, !(_e1136));
-                                                    if _e1136 {
-                                                        phi_4267_ = _e1027.member_1;
+                                                    local_9[_e2118] = select(_e2084, _e2086, _e2093);
+                                                    if _e2093 {
+                                                        phi_4262_ = _e1984.member_1;
                                                     } else {
-                                                        phi_4267_ = _e1027.member_2;
+                                                        phi_4262_ = _e1984.member_2;
                                                     }
-                                                    let _e1176 = phi_4267_;
-                                                    phi_4268_ = (_e702 + 1u);
-                                                    phi_4269_ = _e1176;
+                                                    let _e2132 = phi_4262_;
+                                                    phi_4263_ = (_e702 + 1u);
+                                                    phi_4264_ = _e2132;
                                                 } else {
-                                                    phi_4268_ = u32();
-                                                    phi_4269_ = type_49();
+                                                    phi_4263_ = u32();
+                                                    phi_4264_ = type_49();
                                                 }
-                                                let _e1178 = phi_4268_;
-                                                let _e1180 = phi_4269_;
-                                                phi_4271_ = _e1178;
-                                                phi_4272_ = _e1180;
-                                                phi_4273_ = select(true, false, _e1135);
+                                                let _e2134 = phi_4263_;
+                                                let _e2136 = phi_4264_;
+                                                phi_4266_ = _e2134;
+                                                phi_4267_ = _e2136;
+                                                phi_4268_ = select(true, false, _e2092);
                                             } else {
-                                                phi_4271_ = u32();
-                                                phi_4272_ = type_49();
-                                                phi_4273_ = true;
+                                                phi_4266_ = u32();
+                                                phi_4267_ = type_49();
+                                                phi_4268_ = true;
                                             }
-                                            let _e1183 = phi_4271_;
-                                            let _e1185 = phi_4272_;
-                                            let _e1187 = phi_4273_;
-                                            if _e1187 {
-                                                if _e1134 {
-                                                    phi_4282_ = _e1027.member_1;
+                                            let _e2139 = phi_4266_;
+                                            let _e2141 = phi_4267_;
+                                            let _e2143 = phi_4268_;
+                                            if _e2143 {
+                                                if _e2091 {
+                                                    phi_4277_ = _e1984.member_1;
                                                 } else {
-                                                    phi_4282_ = _e1027.member_2;
+                                                    phi_4277_ = _e1984.member_2;
                                                 }
-                                                let _e1191 = phi_4282_;
-                                                phi_4287_ = select(_e1135, true, _e1134);
-                                                phi_4289_ = _e1191;
+                                                let _e2147 = phi_4277_;
+                                                phi_4282_ = select(_e2092, true, _e2091);
+                                                phi_4284_ = _e2147;
                                             } else {
-                                                phi_4287_ = _e700;
-                                                phi_4289_ = _e1185;
+                                                phi_4282_ = _e700;
+                                                phi_4284_ = _e2141;
                                             }
-                                            let _e1194 = phi_4287_;
-                                            let _e1196 = phi_4289_;
-                                            phi_4988_ = _e658;
-                                            phi_4294_ = type_38(_e660.member, (_e660.member_1 + 1u), _e660.member_2);
-                                            phi_4295_ = _e1194;
-                                            phi_4296_ = select(_e1183, _e702, _e1187);
-                                            phi_4297_ = _e1196;
+                                            let _e2150 = phi_4282_;
+                                            let _e2152 = phi_4284_;
+                                            phi_4289_ = type_38(_e1670.member, (_e1670.member_1 + 1u), _e1670.member_2);
+                                            phi_4290_ = _e2150;
+                                            phi_4291_ = select(_e2139, _e702, _e2143);
+                                            phi_4292_ = _e2152;
                                         }
-                                        let _e2152 = phi_4988_;
-                                        let _e2154 = phi_4294_;
-                                        let _e2156 = phi_4295_;
-                                        let _e2158 = phi_4296_;
-                                        let _e2160 = phi_4297_;
-                                        phi_4987_ = _e2152;
-                                        phi_4298_ = _e2154;
-                                        phi_4299_ = _e2156;
-                                        phi_4300_ = (_e664 - 1u);
-                                        phi_4301_ = _e2158;
-                                        phi_4302_ = _e2160;
+                                        let _e2155 = phi_4289_;
+                                        let _e2157 = phi_4290_;
+                                        let _e2159 = phi_4291_;
+                                        let _e2161 = phi_4292_;
+                                        if _e708 {
+                                            phi_4300_ = _e1670;
+                                            phi_4303_ = _e704;
+                                        } else {
+                                            phi_4300_ = _e2155;
+                                            phi_4303_ = _e2161;
+                                        }
+                                        let _e2163 = phi_4300_;
+                                        let _e2165 = phi_4303_;
+                                        phi_4993_ = _e1668;
+                                        phi_4304_ = _e2163;
+                                        phi_4305_ = (_e662 - 1u);
+                                        phi_4306_ = select(_e2157, false, _e708);
+                                        phi_4307_ = select(_e2159, _e702, _e708);
+                                        phi_4308_ = _e2165;
                                     } else {
-                                        phi_4987_ = _e658;
-                                        phi_4298_ = _e660;
-                                        phi_4299_ = _e700;
-                                        phi_4300_ = _e664;
-                                        phi_4301_ = _e702;
-                                        phi_4302_ = _e704;
+                                        phi_4993_ = _e658;
+                                        phi_4304_ = _e660;
+                                        phi_4305_ = _e662;
+                                        phi_4306_ = _e700;
+                                        phi_4307_ = _e702;
+                                        phi_4308_ = _e704;
                                     }
-                                    let _e2162 = phi_4987_;
-                                    let _e2164 = phi_4298_;
-                                    let _e2166 = phi_4299_;
-                                    let _e2168 = phi_4300_;
-                                    let _e2170 = phi_4301_;
-                                    let _e2172 = phi_4302_;
-                                    phi_4986_ = _e2162;
-                                    phi_4303_ = _e2164;
-                                    phi_4304_ = _e2166;
-                                    phi_4305_ = _e2168;
-                                    phi_4306_ = _e2170;
-                                    phi_4307_ = _e2172;
+                                    let _e2169 = phi_4993_;
+                                    let _e2171 = phi_4304_;
+                                    let _e2173 = phi_4305_;
+                                    let _e2175 = phi_4306_;
+                                    let _e2177 = phi_4307_;
+                                    let _e2179 = phi_4308_;
+                                    phi_4992_ = _e2169;
+                                    phi_4309_ = _e2171;
+                                    phi_4310_ = _e2173;
+                                    phi_4311_ = _e2175;
+                                    phi_4312_ = _e2177;
+                                    phi_4313_ = _e2179;
                                 } else {
-                                    phi_4986_ = _e658;
-                                    phi_4303_ = type_38();
-                                    phi_4304_ = bool();
-                                    phi_4305_ = u32();
-                                    phi_4306_ = u32();
-                                    phi_4307_ = type_49();
+                                    phi_4992_ = _e658;
+                                    phi_4309_ = type_38();
+                                    phi_4310_ = u32();
+                                    phi_4311_ = bool();
+                                    phi_4312_ = u32();
+                                    phi_4313_ = type_49();
                                 }
-                                let _e2174 = phi_4986_;
-                                let _e2176 = phi_4303_;
-                                let _e2178 = phi_4304_;
-                                let _e2180 = phi_4305_;
-                                let _e2182 = phi_4306_;
-                                let _e2184 = phi_4307_;
-                                phi_4985_ = _e2174;
-                                phi_1192_ = _e2176;
-                                phi_1195_ = _e2178;
-                                phi_1197_ = _e2180;
-                                phi_1199_ = _e2182;
-                                phi_1201_ = _e2184;
-                                phi_4308_ = _e672;
+                                let _e2181 = phi_4992_;
+                                let _e2183 = phi_4309_;
+                                let _e2185 = phi_4310_;
+                                let _e2187 = phi_4311_;
+                                let _e2189 = phi_4312_;
+                                let _e2191 = phi_4313_;
+                                phi_4991_ = _e2181;
+                                phi_1192_ = _e2183;
+                                phi_1195_ = _e2185;
+                                phi_1197_ = _e2187;
+                                phi_1199_ = _e2189;
+                                phi_1201_ = _e2191;
+                                phi_4314_ = _e672;
                             } else {
-                                phi_4985_ = _e658;
+                                phi_4991_ = _e658;
                                 phi_1192_ = type_38();
-                                phi_1195_ = bool();
-                                phi_1197_ = u32();
+                                phi_1195_ = u32();
+                                phi_1197_ = bool();
                                 phi_1199_ = u32();
                                 phi_1201_ = type_49();
-                                phi_4308_ = false;
+                                phi_4314_ = false;
                             }
-                            let _e2186 = phi_4985_;
-                            let _e2188 = phi_1192_;
-                            let _e2190 = phi_1195_;
-                            let _e2192 = phi_1197_;
-                            let _e2194 = phi_1199_;
-                            let _e2196 = phi_1201_;
-                            let _e2198 = phi_4308_;
+                            let _e2193 = phi_4991_;
+                            let _e2195 = phi_1192_;
+                            let _e2197 = phi_1195_;
+                            let _e2199 = phi_1197_;
+                            let _e2201 = phi_1199_;
+                            let _e2203 = phi_1201_;
+                            let _e2205 = phi_4314_;
                             continue;
                             continuing {
-                                phi_4783_ = _e2186;
-                                phi_1191_ = _e2188;
-                                phi_1194_ = _e2190;
-                                phi_1196_ = _e2192;
-                                phi_1198_ = _e2194;
-                                phi_1200_ = _e2196;
-                                phi_4984_ = _e2186;
-                                break if !(_e2198);
+                                phi_4789_ = _e2193;
+                                phi_1191_ = _e2195;
+                                phi_1194_ = _e2197;
+                                phi_1196_ = _e2199;
+                                phi_1198_ = _e2201;
+                                phi_1200_ = _e2203;
+                                phi_4990_ = _e2193;
+                                break if !(_e2205);
                             }
                         }
-                        let _e2201 = phi_4984_;
-                        if _e2201 {
+                        let _e2208 = phi_4990_;
+                        if _e2208 {
                             break;
                         }
-                        let _e2203 = local_10;
-                        if (_e2203.member.member.member_3 != 4294967295u) {
-                            let _e2209 = bitcast<u32>(_e2203.member.member.member);
-                            let _e2213 = (bitcast<i32>((_e2209 >> bitcast<u32>(23i))) & 255i);
-                            let _e2214 = (_e2213 + _e280);
-                            if (_e2213 == 255i) {
-                                phi_4367_ = _e2203.member.member.member;
+                        let _e2210 = local_10;
+                        if (_e2210.member.member.member_3 != 4294967295u) {
+                            let _e2216 = bitcast<u32>(_e2210.member.member.member);
+                            let _e2220 = (bitcast<i32>((_e2216 >> bitcast<u32>(23i))) & 255i);
+                            let _e2221 = (_e2220 + _e280);
+                            if (_e2220 == 255i) {
+                                phi_4373_ = _e2210.member.member.member;
                             } else {
-                                if (_e2213 > 0i) {
-                                    if (_e2214 > 0i) {
-                                        let _e2218 = (_e2214 < 255i);
-                                        if _e2218 {
-                                            phi_4346_ = bitcast<f32>((_e2209 + bitcast<u32>((_e280 << bitcast<u32>(23i)))));
+                                if (_e2220 > 0i) {
+                                    if (_e2221 > 0i) {
+                                        let _e2225 = (_e2221 < 255i);
+                                        if _e2225 {
+                                            phi_4352_ = bitcast<f32>((_e2216 + bitcast<u32>((_e280 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_4346_ = f32();
+                                            phi_4352_ = f32();
                                         }
-                                        let _e2225 = phi_4346_;
-                                        phi_4348_ = _e2225;
-                                        phi_4349_ = select(true, false, _e2218);
+                                        let _e2232 = phi_4352_;
+                                        phi_4354_ = _e2232;
+                                        phi_4355_ = select(true, false, _e2225);
                                     } else {
-                                        phi_4348_ = f32();
-                                        phi_4349_ = true;
+                                        phi_4354_ = f32();
+                                        phi_4355_ = true;
                                     }
-                                    let _e2228 = phi_4348_;
-                                    let _e2230 = phi_4349_;
-                                    phi_4350_ = _e2228;
-                                    phi_4351_ = _e2230;
+                                    let _e2235 = phi_4354_;
+                                    let _e2237 = phi_4355_;
+                                    phi_4356_ = _e2235;
+                                    phi_4357_ = _e2237;
                                 } else {
-                                    phi_4350_ = f32();
-                                    phi_4351_ = true;
+                                    phi_4356_ = f32();
+                                    phi_4357_ = true;
                                 }
-                                let _e2232 = phi_4350_;
-                                let _e2234 = phi_4351_;
-                                if _e2234 {
-                                    let _e2235 = (_e2209 & 2147483648u);
-                                    let _e2242 = ((_e2209 & 8388607u) | (select(0u, 1u, ((_e2209 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e2246 = (_e2242 == 0u);
-                                    if _e2246 {
-                                        phi_4735_ = bitcast<f32>(_e2235);
+                                let _e2239 = phi_4356_;
+                                let _e2241 = phi_4357_;
+                                if _e2241 {
+                                    let _e2242 = (_e2216 & 2147483648u);
+                                    let _e2249 = ((_e2216 & 8388607u) | (select(0u, 1u, ((_e2216 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e2253 = (_e2249 == 0u);
+                                    if _e2253 {
+                                        phi_4741_ = bitcast<f32>(_e2242);
                                     } else {
-                                        let _e2251 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2242)), 32u, _e2246) - 8u);
-                                        let _e2254 = (_e2242 << bitcast<u32>((_e2251 & 31u)));
-                                        let _e2256 = ((_e2214 + select(0i, 1i, (_e2213 == 0i))) - bitcast<i32>(_e2251));
-                                        if (_e2256 >= 255i) {
-                                            phi_4725_ = bitcast<f32>((_e2235 | 2139095040u));
-                                            phi_4726_ = f32();
-                                            phi_4727_ = true;
+                                        let _e2258 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2249)), 32u, _e2253) - 8u);
+                                        let _e2261 = (_e2249 << bitcast<u32>((_e2258 & 31u)));
+                                        let _e2263 = ((_e2221 + select(0i, 1i, (_e2220 == 0i))) - bitcast<i32>(_e2258));
+                                        if (_e2263 >= 255i) {
+                                            phi_4731_ = bitcast<f32>((_e2242 | 2139095040u));
+                                            phi_4732_ = f32();
+                                            phi_4733_ = true;
                                         } else {
-                                            let _e2258 = (_e2256 > 0i);
-                                            if _e2258 {
-                                                phi_4719_ = bitcast<f32>(((_e2235 | (bitcast<u32>(_e2256) << bitcast<u32>(23i))) | (_e2254 & 8388607u)));
-                                                phi_4720_ = f32();
+                                            let _e2265 = (_e2263 > 0i);
+                                            if _e2265 {
+                                                phi_4725_ = bitcast<f32>(((_e2242 | (bitcast<u32>(_e2263) << bitcast<u32>(23i))) | (_e2261 & 8388607u)));
+                                                phi_4726_ = f32();
                                             } else {
-                                                if (_e2256 < -24i) {
-                                                    phi_4685_ = 26u;
+                                                if (_e2263 < -24i) {
+                                                    phi_4691_ = 26u;
                                                 } else {
-                                                    phi_4685_ = bitcast<u32>((1i - _e2256));
+                                                    phi_4691_ = bitcast<u32>((1i - _e2263));
                                                 }
-                                                let _e2263 = phi_4685_;
-                                                let _e2264 = (_e2263 & 31u);
-                                                let _e2266 = (_e2254 >> bitcast<u32>(_e2264));
-                                                let _e2270 = (_e2254 & ((1u << bitcast<u32>(_e2264)) - 1u));
-                                                let _e2274 = (1u << bitcast<u32>(((_e2263 - 1u) & 31u)));
-                                                if (_e2270 > _e2274) {
-                                                    phi_4706_ = true;
+                                                let _e2270 = phi_4691_;
+                                                let _e2271 = (_e2270 & 31u);
+                                                let _e2273 = (_e2261 >> bitcast<u32>(_e2271));
+                                                let _e2277 = (_e2261 & ((1u << bitcast<u32>(_e2271)) - 1u));
+                                                let _e2281 = (1u << bitcast<u32>(((_e2270 - 1u) & 31u)));
+                                                if (_e2277 > _e2281) {
+                                                    phi_4712_ = true;
                                                 } else {
-                                                    if (_e2270 == _e2274) {
-                                                        phi_4703_ = ((_e2266 & 1u) == 1u);
+                                                    if (_e2277 == _e2281) {
+                                                        phi_4709_ = ((_e2273 & 1u) == 1u);
                                                     } else {
-                                                        phi_4703_ = false;
+                                                        phi_4709_ = false;
                                                     }
-                                                    let _e2280 = phi_4703_;
-                                                    phi_4706_ = _e2280;
+                                                    let _e2287 = phi_4709_;
+                                                    phi_4712_ = _e2287;
                                                 }
-                                                let _e2282 = phi_4706_;
-                                                phi_4719_ = f32();
-                                                phi_4720_ = bitcast<f32>((_e2235 | (_e2266 + select(0u, 1u, _e2282))));
+                                                let _e2289 = phi_4712_;
+                                                phi_4725_ = f32();
+                                                phi_4726_ = bitcast<f32>((_e2242 | (_e2273 + select(0u, 1u, _e2289))));
                                             }
-                                            let _e2295 = phi_4719_;
-                                            let _e2297 = phi_4720_;
-                                            phi_4725_ = _e2295;
-                                            phi_4726_ = _e2297;
-                                            phi_4727_ = _e2258;
+                                            let _e2302 = phi_4725_;
+                                            let _e2304 = phi_4726_;
+                                            phi_4731_ = _e2302;
+                                            phi_4732_ = _e2304;
+                                            phi_4733_ = _e2265;
                                         }
-                                        let _e2301 = phi_4725_;
-                                        let _e2303 = phi_4726_;
-                                        let _e2305 = phi_4727_;
-                                        phi_4735_ = select(_e2303, _e2301, _e2305);
+                                        let _e2308 = phi_4731_;
+                                        let _e2310 = phi_4732_;
+                                        let _e2312 = phi_4733_;
+                                        phi_4741_ = select(_e2310, _e2308, _e2312);
                                     }
-                                    let _e2309 = phi_4735_;
-                                    phi_4366_ = _e2309;
+                                    let _e2316 = phi_4741_;
+                                    phi_4372_ = _e2316;
                                 } else {
-                                    phi_4366_ = _e2232;
+                                    phi_4372_ = _e2239;
                                 }
-                                let _e2311 = phi_4366_;
-                                phi_4367_ = _e2311;
+                                let _e2318 = phi_4372_;
+                                phi_4373_ = _e2318;
                             }
-                            let _e2313 = phi_4367_;
-                            let _e2314 = bitcast<u32>(_e2313);
-                            if ((_e2314 & 2147483647u) >= 2139095040u) {
-                                phi_4379_ = bitcast<f32>(((_e2314 & 2147483648u) | 2139095039u));
+                            let _e2320 = phi_4373_;
+                            let _e2321 = bitcast<u32>(_e2320);
+                            if ((_e2321 & 2147483647u) >= 2139095040u) {
+                                phi_4385_ = bitcast<f32>(((_e2321 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_4379_ = _e2313;
+                                phi_4385_ = _e2320;
                             }
-                            let _e2321 = phi_4379_;
-                            phi_4384_ = type_18(_e2321, _e2203.member.member.member_1, _e2203.member.member.member_2, _e2203.member.member.member_3);
+                            let _e2328 = phi_4385_;
+                            phi_4390_ = type_18(_e2328, _e2210.member.member.member_1, _e2210.member.member.member_2, _e2210.member.member.member_3);
                         } else {
-                            phi_4384_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_4390_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e2326 = phi_4384_;
+                        let _e2333 = phi_4390_;
                         if _e156 {
                         } else {
                             break;
                         }
-                        global_1.member[_e140] = _e2326;
-                        let _e2330 = local_11;
+                        global_1.member[_e140] = _e2333;
+                        let _e2337 = local_11;
                         if _e157 {
                         } else {
                             break;
                         }
-                        global_4.member[_e140] = _e2330.member_1;
+                        global_4.member[_e140] = _e2337.member_1;
                         if _e155 {
                         } else {
                             break;
                         }
-                        let _e2335 = select(0u, 1u, (_e224 <= _e234));
-                        if (_e2335 > 0u) {
-                            let _e2337 = (1u < _e108);
-                            if _e2337 {
+                        let _e2342 = select(0u, 1u, (_e224 <= _e234));
+                        if (_e2342 > 0u) {
+                            let _e2344 = (1u < _e108);
+                            if _e2344 {
                                 if (0u < _e108) {
                                 } else {
                                     break;
                                 }
-                                let _e2341 = atomicAdd((&global_5.member[0u]), _e2335);
-                                if ((_e2341 + _e2335) < _e2341) {
-                                    if _e2337 {
+                                let _e2348 = atomicAdd((&global_5.member[0u]), _e2342);
+                                if ((_e2348 + _e2342) < _e2348) {
+                                    if _e2344 {
                                     } else {
                                         break;
                                     }
-                                    let _e2346 = atomicAdd((&global_5.member[1u]), 1u);
+                                    let _e2353 = atomicAdd((&global_5.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e2349 = select(0u, 1u, (_e2326.member_3 != 4294967295u));
-                        if (_e2349 > 0u) {
-                            let _e2351 = (3u < _e108);
-                            if _e2351 {
+                        let _e2356 = select(0u, 1u, (_e2333.member_3 != 4294967295u));
+                        if (_e2356 > 0u) {
+                            let _e2358 = (3u < _e108);
+                            if _e2358 {
                                 if (2u < _e108) {
                                 } else {
                                     break;
                                 }
-                                let _e2355 = atomicAdd((&global_5.member[2u]), _e2349);
-                                if ((_e2355 + _e2349) < _e2355) {
-                                    if _e2351 {
+                                let _e2362 = atomicAdd((&global_5.member[2u]), _e2356);
+                                if ((_e2362 + _e2356) < _e2362) {
+                                    if _e2358 {
                                     } else {
                                         break;
                                     }
-                                    let _e2360 = atomicAdd((&global_5.member[3u]), 1u);
+                                    let _e2367 = atomicAdd((&global_5.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e2330.member_1 > 0u) {
-                            let _e2362 = (5u < _e108);
-                            if _e2362 {
+                        if (_e2337.member_1 > 0u) {
+                            let _e2369 = (5u < _e108);
+                            if _e2369 {
                                 if (4u < _e108) {
                                 } else {
                                     break;
                                 }
-                                let _e2366 = atomicAdd((&global_5.member[4u]), _e2330.member_1);
-                                if ((_e2366 + _e2330.member_1) < _e2366) {
-                                    if _e2362 {
+                                let _e2373 = atomicAdd((&global_5.member[4u]), _e2337.member_1);
+                                if ((_e2373 + _e2337.member_1) < _e2373) {
+                                    if _e2369 {
                                     } else {
                                         break;
                                     }
-                                    let _e2371 = atomicAdd((&global_5.member[5u]), 1u);
+                                    let _e2378 = atomicAdd((&global_5.member[5u]), 1u);
                                 }
                             }
                         }

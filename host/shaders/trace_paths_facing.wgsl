@@ -152,27 +152,16 @@ fn function_() {
     var phi_1186_: u32;
     var phi_1194_: f32;
     var phi_1195_: f32;
-    var phi_3432_: bool;
+    var phi_3436_: bool;
     var phi_1210_: type_50;
-    var phi_1213_: bool;
-    var phi_1215_: u32;
+    var phi_1213_: u32;
+    var phi_1215_: bool;
     var phi_1217_: u32;
     var phi_1219_: u32;
     var phi_1230_: bool;
     var phi_1262_: bool;
     var phi_1263_: u32;
     var phi_1264_: u32;
-    var phi_2750_: type_54;
-    var phi_3112_: u32;
-    var phi_3140_: u32;
-    var phi_3141_: u32;
-    var phi_3142_: u32;
-    var phi_3144_: u32;
-    var phi_3145_: u32;
-    var phi_3146_: bool;
-    var phi_3155_: u32;
-    var phi_3160_: bool;
-    var phi_3162_: u32;
     var phi_1279_: type_50;
     var phi_1282_: type_8;
     var phi_1283_: type_8;
@@ -232,51 +221,62 @@ fn function_() {
     var phi_2679_: type_50;
     var phi_2680_: type_50;
     var phi_1280_: type_50;
-    var phi_3426_: bool;
-    var phi_3622_: bool;
-    var phi_3166_: type_50;
-    var phi_3167_: bool;
-    var phi_3168_: u32;
-    var phi_3169_: u32;
-    var phi_3621_: bool;
-    var phi_3170_: type_50;
-    var phi_3171_: bool;
-    var phi_3172_: u32;
-    var phi_3173_: u32;
-    var phi_3174_: u32;
-    var phi_3620_: bool;
-    var phi_3175_: type_50;
+    var phi_3430_: bool;
+    var phi_3657_: bool;
+    var phi_2681_: type_50;
+    var phi_2746_: type_54;
+    var phi_3108_: u32;
+    var phi_3135_: u32;
+    var phi_3136_: u32;
+    var phi_3137_: u32;
+    var phi_3139_: u32;
+    var phi_3140_: u32;
+    var phi_3141_: bool;
+    var phi_3150_: u32;
+    var phi_3155_: bool;
+    var phi_3157_: u32;
+    var phi_3161_: bool;
+    var phi_3162_: u32;
+    var phi_3163_: u32;
+    var phi_3625_: bool;
+    var phi_3174_: type_50;
+    var phi_3175_: u32;
     var phi_3176_: bool;
     var phi_3177_: u32;
     var phi_3178_: u32;
-    var phi_3179_: u32;
-    var phi_3619_: bool;
+    var phi_3624_: bool;
+    var phi_3179_: type_50;
+    var phi_3180_: u32;
+    var phi_3181_: bool;
+    var phi_3182_: u32;
+    var phi_3183_: u32;
+    var phi_3623_: bool;
     var phi_1211_: type_50;
-    var phi_1214_: bool;
-    var phi_1216_: u32;
+    var phi_1214_: u32;
+    var phi_1216_: bool;
     var phi_1218_: u32;
     var phi_1220_: u32;
-    var phi_3180_: bool;
-    var phi_3618_: bool;
+    var phi_3184_: bool;
+    var phi_3622_: bool;
     var local_2: type_50;
-    var phi_3218_: f32;
-    var phi_3220_: f32;
-    var phi_3221_: bool;
     var phi_3222_: f32;
-    var phi_3223_: bool;
-    var phi_3371_: u32;
-    var phi_3389_: bool;
-    var phi_3392_: bool;
-    var phi_3405_: f32;
-    var phi_3406_: f32;
-    var phi_3411_: f32;
-    var phi_3412_: f32;
-    var phi_3413_: bool;
-    var phi_3421_: f32;
-    var phi_3238_: f32;
-    var phi_3239_: f32;
-    var phi_3251_: f32;
-    var phi_3256_: type_28;
+    var phi_3224_: f32;
+    var phi_3225_: bool;
+    var phi_3226_: f32;
+    var phi_3227_: bool;
+    var phi_3375_: u32;
+    var phi_3393_: bool;
+    var phi_3396_: bool;
+    var phi_3409_: f32;
+    var phi_3410_: f32;
+    var phi_3415_: f32;
+    var phi_3416_: f32;
+    var phi_3417_: bool;
+    var phi_3425_: f32;
+    var phi_3242_: f32;
+    var phi_3243_: f32;
+    var phi_3255_: f32;
+    var phi_3260_: type_28;
     var local_3: type_50;
 
     switch bitcast<i32>(0u) {
@@ -627,31 +627,31 @@ fn function_() {
                     let _e698 = phi_1195_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_3432_ = false;
+                    phi_3436_ = false;
                     phi_1210_ = type_50(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e696);
-                    phi_1213_ = (_e698 <= _e696);
-                    phi_1215_ = ((3u * _e86) + 1u);
+                    phi_1213_ = ((3u * _e86) + 1u);
+                    phi_1215_ = (_e698 <= _e696);
                     phi_1217_ = 0u;
                     phi_1219_ = select(0u, 2147483648u, (_e86 == 0u));
                     loop {
-                        let _e706 = phi_3432_;
+                        let _e706 = phi_3436_;
                         let _e708 = phi_1210_;
                         let _e710 = phi_1213_;
                         let _e712 = phi_1215_;
                         let _e714 = phi_1217_;
                         let _e716 = phi_1219_;
                         local_2 = _e708;
-                        if _e710 {
+                        if _e712 {
                             phi_1230_ = true;
                         } else {
                             phi_1230_ = (_e714 > 0u);
                         }
                         let _e719 = phi_1230_;
                         if _e719 {
-                            let _e720 = (_e712 > 0u);
+                            let _e720 = (_e710 > 0u);
                             if _e720 {
-                                if _e710 {
-                                    phi_1262_ = _e710;
+                                if _e712 {
+                                    phi_1262_ = _e712;
                                     phi_1263_ = _e714;
                                     phi_1264_ = _e716;
                                 } else {
@@ -660,13 +660,13 @@ fn function_() {
                                     let _e723 = (_e722 < 128u);
                                     if _e723 {
                                     } else {
-                                        phi_3618_ = true;
+                                        phi_3622_ = true;
                                         break;
                                     }
                                     let _e725 = local_1[_e722];
                                     if _e723 {
                                     } else {
-                                        phi_3618_ = true;
+                                        phi_3622_ = true;
                                         break;
                                     }
                                     let _e727 = local[_e722];
@@ -678,943 +678,947 @@ fn function_() {
                                 let _e733 = phi_1263_;
                                 let _e735 = phi_1264_;
                                 if _e731 {
-                                    if ((_e735 & 2147483648u) != 0u) {
+                                    let _e738 = ((_e735 & 2147483648u) != 0u);
+                                    if _e738 {
                                         phi_1279_ = _e708;
                                         phi_1282_ = type_8(0u, ((_e735 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e933 = phi_1279_;
-                                            let _e935 = phi_1282_;
-                                            local_3 = _e933;
-                                            if (_e935.member < _e935.member_1) {
-                                                phi_1283_ = type_8((_e935.member + 1u), _e935.member_1);
-                                                phi_1305_ = type_8(1u, _e935.member);
+                                            let _e745 = phi_1279_;
+                                            let _e747 = phi_1282_;
+                                            local_3 = _e745;
+                                            if (_e747.member < _e747.member_1) {
+                                                phi_1283_ = type_8((_e747.member + 1u), _e747.member_1);
+                                                phi_1305_ = type_8(1u, _e747.member);
                                             } else {
-                                                phi_1283_ = _e935;
+                                                phi_1283_ = _e747;
                                                 phi_1305_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e948 = phi_1283_;
-                                            let _e950 = phi_1305_;
-                                            let _e954 = (bitcast<i32>(_e950.member) != 0i);
-                                            if _e954 {
-                                                let _e955 = ((_e735 & 268435455u) + _e950.member_1);
-                                                let _e956 = (_e955 < _e88);
-                                                if _e956 {
-                                                    if _e956 {
+                                            let _e760 = phi_1283_;
+                                            let _e762 = phi_1305_;
+                                            let _e766 = (bitcast<i32>(_e762.member) != 0i);
+                                            if _e766 {
+                                                let _e767 = ((_e735 & 268435455u) + _e762.member_1);
+                                                let _e768 = (_e767 < _e88);
+                                                if _e768 {
+                                                    if _e768 {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e960 = global_2.member[_e955].member_1;
-                                                    phi_1326_ = _e960;
+                                                    let _e772 = global_2.member[_e767].member_1;
+                                                    phi_1326_ = _e772;
                                                 } else {
                                                     phi_1326_ = 4294967295u;
                                                 }
-                                                let _e962 = phi_1326_;
-                                                if (_e955 >= _e88) {
+                                                let _e774 = phi_1326_;
+                                                if (_e767 >= _e88) {
                                                     phi_1418_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e956 {
+                                                    if _e768 {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e964 = (_e365 % 3u);
-                                                    let _e965 = (_e364 % 3u);
-                                                    let _e966 = (_e366 % 3u);
-                                                    if (_e964 < 9u) {
+                                                    let _e776 = (_e365 % 3u);
+                                                    let _e777 = (_e364 % 3u);
+                                                    let _e778 = (_e366 % 3u);
+                                                    if (_e776 < 9u) {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e972 = global_2.member[_e955].member[_e964];
-                                                    if (_e965 < 9u) {
+                                                    let _e784 = global_2.member[_e767].member[_e776];
+                                                    if (_e777 < 9u) {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e978 = global_2.member[_e955].member[_e965];
-                                                    if (_e966 < 9u) {
+                                                    let _e790 = global_2.member[_e767].member[_e777];
+                                                    if (_e778 < 9u) {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e984 = global_2.member[_e955].member[_e966];
-                                                    let _e986 = (3u + _e964);
-                                                    if (_e986 < 9u) {
+                                                    let _e796 = global_2.member[_e767].member[_e778];
+                                                    let _e798 = (3u + _e776);
+                                                    if (_e798 < 9u) {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e992 = global_2.member[_e955].member[_e986];
-                                                    let _e993 = (3u + _e965);
-                                                    if (_e993 < 9u) {
+                                                    let _e804 = global_2.member[_e767].member[_e798];
+                                                    let _e805 = (3u + _e777);
+                                                    if (_e805 < 9u) {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e999 = global_2.member[_e955].member[_e993];
-                                                    let _e1000 = (3u + _e966);
-                                                    if (_e1000 < 9u) {
+                                                    let _e811 = global_2.member[_e767].member[_e805];
+                                                    let _e812 = (3u + _e778);
+                                                    if (_e812 < 9u) {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e1006 = global_2.member[_e955].member[_e1000];
-                                                    let _e1008 = (6u + _e964);
-                                                    if (_e1008 < 9u) {
+                                                    let _e818 = global_2.member[_e767].member[_e812];
+                                                    let _e820 = (6u + _e776);
+                                                    if (_e820 < 9u) {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e1014 = global_2.member[_e955].member[_e1008];
-                                                    let _e1015 = (6u + _e965);
-                                                    if (_e1015 < 9u) {
+                                                    let _e826 = global_2.member[_e767].member[_e820];
+                                                    let _e827 = (6u + _e777);
+                                                    if (_e827 < 9u) {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e1021 = global_2.member[_e955].member[_e1015];
-                                                    let _e1022 = (6u + _e966);
-                                                    if (_e1022 < 9u) {
+                                                    let _e833 = global_2.member[_e767].member[_e827];
+                                                    let _e834 = (6u + _e778);
+                                                    if (_e834 < 9u) {
                                                     } else {
-                                                        phi_3426_ = true;
+                                                        phi_3430_ = true;
                                                         break;
                                                     }
-                                                    let _e1028 = global_2.member[_e955].member[_e1022];
-                                                    phi_1418_ = array<array<f32, 3>, 3>(array<f32, 3>(_e972, _e978, _e984), array<f32, 3>(_e992, _e999, _e1006), array<f32, 3>(_e1014, _e1021, _e1028));
+                                                    let _e840 = global_2.member[_e767].member[_e834];
+                                                    phi_1418_ = array<array<f32, 3>, 3>(array<f32, 3>(_e784, _e790, _e796), array<f32, 3>(_e804, _e811, _e818), array<f32, 3>(_e826, _e833, _e840));
                                                 }
-                                                let _e1032 = phi_1418_;
-                                                let _e1040 = (_e1032[0][2] - _e545);
-                                                let _e1043 = (((_e1032[0][0] - _e412) * _e584) - (_e1040 * _e452));
-                                                let _e1046 = (((_e1032[0][1] - _e479) * _e584) - (_e1040 * _e518));
-                                                let _e1053 = (_e1032[1][2] - _e545);
-                                                let _e1056 = (((_e1032[1][0] - _e412) * _e584) - (_e1053 * _e452));
-                                                let _e1059 = (((_e1032[1][1] - _e479) * _e584) - (_e1053 * _e518));
-                                                let _e1066 = (_e1032[2][2] - _e545);
-                                                let _e1069 = (((_e1032[2][0] - _e412) * _e584) - (_e1066 * _e452));
-                                                let _e1072 = (((_e1032[2][1] - _e479) * _e584) - (_e1066 * _e518));
-                                                let _e1073 = (_e1069 * _e1059);
-                                                let _e1074 = (_e1072 * _e1056);
-                                                let _e1075 = (_e1043 * _e1072);
-                                                let _e1076 = (_e1046 * _e1069);
-                                                let _e1077 = (_e1056 * _e1046);
-                                                let _e1078 = (_e1059 * _e1043);
-                                                let _e1083 = (((_e1073 >= _e1074) && (_e1075 >= _e1076)) && (_e1077 >= _e1078));
-                                                if (_e1083 || (((_e1073 <= _e1074) && (_e1075 <= _e1076)) && (_e1077 <= _e1078))) {
-                                                    let _e1090 = select(-1f, 1f, _e1083);
-                                                    let _e1092 = ((_e1073 - _e1074) * _e1090);
-                                                    let _e1094 = select(0f, _e1092, (_e1092 > 0f));
-                                                    let _e1096 = ((_e1075 - _e1076) * _e1090);
-                                                    let _e1098 = select(0f, _e1096, (_e1096 > 0f));
-                                                    let _e1100 = ((_e1077 - _e1078) * _e1090);
-                                                    let _e1102 = select(0f, _e1100, (_e1100 > 0f));
-                                                    let _e1104 = ((_e1094 + _e1098) + _e1102);
-                                                    if (_e1104 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e844 = phi_1418_;
+                                                let _e852 = (_e844[0][2] - _e545);
+                                                let _e855 = (((_e844[0][0] - _e412) * _e584) - (_e852 * _e452));
+                                                let _e858 = (((_e844[0][1] - _e479) * _e584) - (_e852 * _e518));
+                                                let _e865 = (_e844[1][2] - _e545);
+                                                let _e868 = (((_e844[1][0] - _e412) * _e584) - (_e865 * _e452));
+                                                let _e871 = (((_e844[1][1] - _e479) * _e584) - (_e865 * _e518));
+                                                let _e878 = (_e844[2][2] - _e545);
+                                                let _e881 = (((_e844[2][0] - _e412) * _e584) - (_e878 * _e452));
+                                                let _e884 = (((_e844[2][1] - _e479) * _e584) - (_e878 * _e518));
+                                                let _e885 = (_e881 * _e871);
+                                                let _e886 = (_e884 * _e868);
+                                                let _e887 = (_e855 * _e884);
+                                                let _e888 = (_e858 * _e881);
+                                                let _e889 = (_e868 * _e858);
+                                                let _e890 = (_e871 * _e855);
+                                                let _e895 = (((_e885 >= _e886) && (_e887 >= _e888)) && (_e889 >= _e890));
+                                                if (_e895 || (((_e885 <= _e886) && (_e887 <= _e888)) && (_e889 <= _e890))) {
+                                                    let _e902 = select(-1f, 1f, _e895);
+                                                    let _e904 = ((_e885 - _e886) * _e902);
+                                                    let _e906 = select(0f, _e904, (_e904 > 0f));
+                                                    let _e908 = ((_e887 - _e888) * _e902);
+                                                    let _e910 = select(0f, _e908, (_e908 > 0f));
+                                                    let _e912 = ((_e889 - _e890) * _e902);
+                                                    let _e914 = select(0f, _e912, (_e912 > 0f));
+                                                    let _e916 = ((_e906 + _e910) + _e914);
+                                                    if (_e916 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2302_ = type_28();
                                                         phi_2303_ = true;
                                                         phi_2304_ = false;
                                                     } else {
-                                                        let _e1107 = select(_e1056, _e1043, (_e1043 < _e1056));
-                                                        if (select(_e1069, _e1107, (_e1107 < _e1069)) > 0f) {
+                                                        let _e919 = select(_e868, _e855, (_e855 < _e868));
+                                                        if (select(_e881, _e919, (_e919 < _e881)) > 0f) {
                                                             phi_1570_ = true;
                                                         } else {
-                                                            let _e1112 = select(_e1056, _e1043, (_e1043 > _e1056));
-                                                            phi_1570_ = (select(_e1069, _e1112, (_e1112 > _e1069)) < 0f);
+                                                            let _e924 = select(_e868, _e855, (_e855 > _e868));
+                                                            phi_1570_ = (select(_e881, _e924, (_e924 > _e881)) < 0f);
                                                         }
-                                                        let _e1117 = phi_1570_;
-                                                        if _e1117 {
+                                                        let _e929 = phi_1570_;
+                                                        if _e929 {
                                                             phi_2299_ = type_28();
                                                             phi_2300_ = true;
                                                             phi_2301_ = false;
                                                         } else {
-                                                            let _e1119 = select(_e1059, _e1046, (_e1046 < _e1059));
-                                                            if (select(_e1072, _e1119, (_e1119 < _e1072)) > 0f) {
+                                                            let _e931 = select(_e871, _e858, (_e858 < _e871));
+                                                            if (select(_e884, _e931, (_e931 < _e884)) > 0f) {
                                                                 phi_1599_ = true;
                                                             } else {
-                                                                let _e1124 = select(_e1059, _e1046, (_e1046 > _e1059));
-                                                                phi_1599_ = (select(_e1072, _e1124, (_e1124 > _e1072)) < 0f);
+                                                                let _e936 = select(_e871, _e858, (_e858 > _e871));
+                                                                phi_1599_ = (select(_e884, _e936, (_e936 > _e884)) < 0f);
                                                             }
-                                                            let _e1129 = phi_1599_;
-                                                            if _e1129 {
+                                                            let _e941 = phi_1599_;
+                                                            if _e941 {
                                                                 phi_2297_ = type_28();
                                                                 phi_2298_ = false;
                                                             } else {
-                                                                let _e1131 = select(_e1032[1][0], _e1032[0][0], (_e1032[0][0] < _e1032[1][0]));
-                                                                let _e1135 = select(_e1032[1][0], _e1032[0][0], (_e1032[0][0] > _e1032[1][0]));
-                                                                let _e1139 = select(_e1032[1][1], _e1032[0][1], (_e1032[0][1] < _e1032[1][1]));
-                                                                let _e1143 = select(_e1032[1][1], _e1032[0][1], (_e1032[0][1] > _e1032[1][1]));
-                                                                let _e1147 = select(_e1032[1][2], _e1032[0][2], (_e1032[0][2] < _e1032[1][2]));
-                                                                let _e1151 = select(_e1032[1][2], _e1032[0][2], (_e1032[0][2] > _e1032[1][2]));
-                                                                let _e1156 = ((select(_e1032[2][0], _e1131, (_e1131 < _e1032[2][0])) - _e450) * _e455);
-                                                                let _e1157 = ((select(_e1032[2][0], _e1135, (_e1135 > _e1032[2][0])) - _e451) * _e455);
-                                                                let _e1160 = ((select(_e1032[2][1], _e1139, (_e1139 < _e1032[2][1])) - _e516) * _e521);
-                                                                let _e1161 = ((select(_e1032[2][1], _e1143, (_e1143 > _e1032[2][1])) - _e517) * _e521);
-                                                                let _e1164 = ((select(_e1032[2][2], _e1147, (_e1147 < _e1032[2][2])) - _e582) * _e587);
-                                                                let _e1165 = ((select(_e1032[2][2], _e1151, (_e1151 > _e1032[2][2])) - _e583) * _e587);
-                                                                let _e1167 = select(_e1165, _e1164, (_e1164 < _e1165));
-                                                                let _e1169 = select(_e1165, _e1164, (_e1164 > _e1165));
-                                                                let _e1171 = select(_e1157, _e1156, (_e1156 < _e1157));
-                                                                let _e1173 = select(_e1161, _e1160, (_e1160 < _e1161));
-                                                                let _e1175 = select(_e1173, _e1171, (_e1171 > _e1173));
-                                                                let _e1177 = select(_e1167, _e1175, (_e1175 > _e1167));
-                                                                let _e1179 = select(_e1157, _e1156, (_e1156 > _e1157));
-                                                                let _e1181 = select(_e1161, _e1160, (_e1160 > _e1161));
-                                                                let _e1183 = select(_e1181, _e1179, (_e1179 < _e1181));
-                                                                let _e1185 = select(_e1169, _e1183, (_e1183 < _e1169));
-                                                                let _e1186 = -(_e1167);
-                                                                let _e1192 = select(_e698, _e1177, (_e1177 > _e698));
-                                                                if (_e1192 > (_e1185 + (select(_e1186, _e1169, (_e1169 > _e1186)) * 0.0000019073523f))) {
+                                                                let _e943 = select(_e844[1][0], _e844[0][0], (_e844[0][0] < _e844[1][0]));
+                                                                let _e947 = select(_e844[1][0], _e844[0][0], (_e844[0][0] > _e844[1][0]));
+                                                                let _e951 = select(_e844[1][1], _e844[0][1], (_e844[0][1] < _e844[1][1]));
+                                                                let _e955 = select(_e844[1][1], _e844[0][1], (_e844[0][1] > _e844[1][1]));
+                                                                let _e959 = select(_e844[1][2], _e844[0][2], (_e844[0][2] < _e844[1][2]));
+                                                                let _e963 = select(_e844[1][2], _e844[0][2], (_e844[0][2] > _e844[1][2]));
+                                                                let _e968 = ((select(_e844[2][0], _e943, (_e943 < _e844[2][0])) - _e450) * _e455);
+                                                                let _e969 = ((select(_e844[2][0], _e947, (_e947 > _e844[2][0])) - _e451) * _e455);
+                                                                let _e972 = ((select(_e844[2][1], _e951, (_e951 < _e844[2][1])) - _e516) * _e521);
+                                                                let _e973 = ((select(_e844[2][1], _e955, (_e955 > _e844[2][1])) - _e517) * _e521);
+                                                                let _e976 = ((select(_e844[2][2], _e959, (_e959 < _e844[2][2])) - _e582) * _e587);
+                                                                let _e977 = ((select(_e844[2][2], _e963, (_e963 > _e844[2][2])) - _e583) * _e587);
+                                                                let _e979 = select(_e977, _e976, (_e976 < _e977));
+                                                                let _e981 = select(_e977, _e976, (_e976 > _e977));
+                                                                let _e983 = select(_e969, _e968, (_e968 < _e969));
+                                                                let _e985 = select(_e973, _e972, (_e972 < _e973));
+                                                                let _e987 = select(_e985, _e983, (_e983 > _e985));
+                                                                let _e989 = select(_e979, _e987, (_e987 > _e979));
+                                                                let _e991 = select(_e969, _e968, (_e968 > _e969));
+                                                                let _e993 = select(_e973, _e972, (_e972 > _e973));
+                                                                let _e995 = select(_e993, _e991, (_e991 < _e993));
+                                                                let _e997 = select(_e981, _e995, (_e995 < _e981));
+                                                                let _e998 = -(_e979);
+                                                                let _e1004 = select(_e698, _e989, (_e989 > _e698));
+                                                                if (_e1004 > (_e997 + (select(_e998, _e981, (_e981 > _e998)) * 0.0000019073523f))) {
                                                                     phi_2292_ = type_28();
                                                                     phi_2293_ = true;
                                                                 } else {
-                                                                    let _e1194 = (_e1192 > _e933.member_1);
-                                                                    if _e1194 {
+                                                                    let _e1006 = (_e1004 > _e745.member_1);
+                                                                    if _e1006 {
                                                                         phi_2291_ = type_28();
                                                                     } else {
-                                                                        let _e1195 = vec3<f32>(_e1032[0][0], _e1032[0][1], _e1032[0][2]);
-                                                                        let _e1196 = vec3<f32>(_e1032[1][0], _e1032[1][1], _e1032[1][2]);
-                                                                        let _e1197 = vec3<f32>(_e1032[2][0], _e1032[2][1], _e1032[2][2]);
-                                                                        let _e1198 = (_e1032[1][0] - _e1032[0][0]);
-                                                                        let _e1199 = (_e1032[1][1] - _e1032[0][1]);
-                                                                        let _e1200 = (_e1032[1][2] - _e1032[0][2]);
-                                                                        let _e1201 = vec3<f32>(_e1198, _e1199, _e1200);
-                                                                        let _e1202 = (_e1032[2][0] - _e1032[1][0]);
-                                                                        let _e1203 = (_e1032[2][1] - _e1032[1][1]);
-                                                                        let _e1204 = (_e1032[2][2] - _e1032[1][2]);
-                                                                        let _e1205 = vec3<f32>(_e1202, _e1203, _e1204);
-                                                                        let _e1206 = (_e1032[0][0] - _e1032[2][0]);
-                                                                        let _e1207 = (_e1032[0][1] - _e1032[2][1]);
-                                                                        let _e1208 = (_e1032[0][2] - _e1032[2][2]);
-                                                                        let _e1209 = vec3<f32>(_e1206, _e1207, _e1208);
-                                                                        let _e1212 = bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u));
-                                                                        let _e1215 = bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u));
-                                                                        let _e1217 = select(_e1215, _e1212, (_e1212 > _e1215));
-                                                                        let _e1220 = bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u));
-                                                                        let _e1222 = select(_e1220, _e1217, (_e1217 > _e1220));
-                                                                        let _e1225 = bitcast<f32>((bitcast<u32>(_e1202) & 2147483647u));
-                                                                        let _e1228 = bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u));
-                                                                        let _e1230 = select(_e1228, _e1225, (_e1225 > _e1228));
-                                                                        let _e1233 = bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u));
-                                                                        let _e1235 = select(_e1233, _e1230, (_e1230 > _e1233));
-                                                                        let _e1238 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
-                                                                        let _e1241 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
-                                                                        let _e1243 = select(_e1241, _e1238, (_e1238 > _e1241));
-                                                                        let _e1246 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
-                                                                        let _e1248 = select(_e1246, _e1243, (_e1243 > _e1246));
-                                                                        let _e1250 = select(_e1235, _e1222, (_e1222 > _e1235));
-                                                                        let _e1252 = select(_e1248, _e1250, (_e1250 > _e1248));
-                                                                        if (_e1222 == _e1252) {
-                                                                            phi_2018_ = _e1059;
-                                                                            phi_2019_ = _e1056;
-                                                                            phi_2020_ = _e1046;
-                                                                            phi_2021_ = _e1043;
-                                                                            phi_2022_ = _e1195;
-                                                                            phi_2023_ = _e1209;
-                                                                            phi_2024_ = _e1205;
-                                                                            phi_2025_ = _e1201;
+                                                                        let _e1007 = vec3<f32>(_e844[0][0], _e844[0][1], _e844[0][2]);
+                                                                        let _e1008 = vec3<f32>(_e844[1][0], _e844[1][1], _e844[1][2]);
+                                                                        let _e1009 = vec3<f32>(_e844[2][0], _e844[2][1], _e844[2][2]);
+                                                                        let _e1010 = (_e844[1][0] - _e844[0][0]);
+                                                                        let _e1011 = (_e844[1][1] - _e844[0][1]);
+                                                                        let _e1012 = (_e844[1][2] - _e844[0][2]);
+                                                                        let _e1013 = vec3<f32>(_e1010, _e1011, _e1012);
+                                                                        let _e1014 = (_e844[2][0] - _e844[1][0]);
+                                                                        let _e1015 = (_e844[2][1] - _e844[1][1]);
+                                                                        let _e1016 = (_e844[2][2] - _e844[1][2]);
+                                                                        let _e1017 = vec3<f32>(_e1014, _e1015, _e1016);
+                                                                        let _e1018 = (_e844[0][0] - _e844[2][0]);
+                                                                        let _e1019 = (_e844[0][1] - _e844[2][1]);
+                                                                        let _e1020 = (_e844[0][2] - _e844[2][2]);
+                                                                        let _e1021 = vec3<f32>(_e1018, _e1019, _e1020);
+                                                                        let _e1024 = bitcast<f32>((bitcast<u32>(_e1010) & 2147483647u));
+                                                                        let _e1027 = bitcast<f32>((bitcast<u32>(_e1011) & 2147483647u));
+                                                                        let _e1029 = select(_e1027, _e1024, (_e1024 > _e1027));
+                                                                        let _e1032 = bitcast<f32>((bitcast<u32>(_e1012) & 2147483647u));
+                                                                        let _e1034 = select(_e1032, _e1029, (_e1029 > _e1032));
+                                                                        let _e1037 = bitcast<f32>((bitcast<u32>(_e1014) & 2147483647u));
+                                                                        let _e1040 = bitcast<f32>((bitcast<u32>(_e1015) & 2147483647u));
+                                                                        let _e1042 = select(_e1040, _e1037, (_e1037 > _e1040));
+                                                                        let _e1045 = bitcast<f32>((bitcast<u32>(_e1016) & 2147483647u));
+                                                                        let _e1047 = select(_e1045, _e1042, (_e1042 > _e1045));
+                                                                        let _e1050 = bitcast<f32>((bitcast<u32>(_e1018) & 2147483647u));
+                                                                        let _e1053 = bitcast<f32>((bitcast<u32>(_e1019) & 2147483647u));
+                                                                        let _e1055 = select(_e1053, _e1050, (_e1050 > _e1053));
+                                                                        let _e1058 = bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u));
+                                                                        let _e1060 = select(_e1058, _e1055, (_e1055 > _e1058));
+                                                                        let _e1062 = select(_e1047, _e1034, (_e1034 > _e1047));
+                                                                        let _e1064 = select(_e1060, _e1062, (_e1062 > _e1060));
+                                                                        if (_e1034 == _e1064) {
+                                                                            phi_2018_ = _e871;
+                                                                            phi_2019_ = _e868;
+                                                                            phi_2020_ = _e858;
+                                                                            phi_2021_ = _e855;
+                                                                            phi_2022_ = _e1007;
+                                                                            phi_2023_ = _e1021;
+                                                                            phi_2024_ = _e1017;
+                                                                            phi_2025_ = _e1013;
                                                                         } else {
-                                                                            let _e1254 = (_e1235 == _e1252);
-                                                                            let _e1259 = vec3(_e1254);
-                                                                            phi_2018_ = select(_e1046, _e1072, _e1254);
-                                                                            phi_2019_ = select(_e1043, _e1069, _e1254);
-                                                                            phi_2020_ = select(_e1072, _e1059, _e1254);
-                                                                            phi_2021_ = select(_e1069, _e1056, _e1254);
-                                                                            phi_2022_ = select(_e1197, _e1196, _e1259);
-                                                                            phi_2023_ = select(_e1205, _e1201, _e1259);
-                                                                            phi_2024_ = select(_e1201, _e1209, _e1259);
-                                                                            phi_2025_ = select(_e1209, _e1205, _e1259);
+                                                                            let _e1066 = (_e1047 == _e1064);
+                                                                            let _e1071 = vec3(_e1066);
+                                                                            phi_2018_ = select(_e858, _e884, _e1066);
+                                                                            phi_2019_ = select(_e855, _e881, _e1066);
+                                                                            phi_2020_ = select(_e884, _e871, _e1066);
+                                                                            phi_2021_ = select(_e881, _e868, _e1066);
+                                                                            phi_2022_ = select(_e1009, _e1008, _e1071);
+                                                                            phi_2023_ = select(_e1017, _e1013, _e1071);
+                                                                            phi_2024_ = select(_e1013, _e1021, _e1071);
+                                                                            phi_2025_ = select(_e1021, _e1017, _e1071);
                                                                         }
-                                                                        let _e1265 = phi_2018_;
-                                                                        let _e1267 = phi_2019_;
-                                                                        let _e1269 = phi_2020_;
-                                                                        let _e1271 = phi_2021_;
-                                                                        let _e1273 = phi_2022_;
-                                                                        let _e1275 = phi_2023_;
-                                                                        let _e1277 = phi_2024_;
-                                                                        let _e1279 = phi_2025_;
-                                                                        let _e1286 = ((_e1277.y * _e1275.z) - (_e1275.y * _e1277.z));
-                                                                        let _e1291 = ((_e1277.z * _e1275.x) - (_e1275.z * _e1277.x));
-                                                                        let _e1294 = ((_e1277.x * _e1275.y) - (_e1275.x * _e1277.y));
-                                                                        if (_e1094 >= _e1098) {
-                                                                            phi_2062_ = select(true, false, (_e1094 >= _e1102));
+                                                                        let _e1077 = phi_2018_;
+                                                                        let _e1079 = phi_2019_;
+                                                                        let _e1081 = phi_2020_;
+                                                                        let _e1083 = phi_2021_;
+                                                                        let _e1085 = phi_2022_;
+                                                                        let _e1087 = phi_2023_;
+                                                                        let _e1089 = phi_2024_;
+                                                                        let _e1091 = phi_2025_;
+                                                                        let _e1098 = ((_e1089.y * _e1087.z) - (_e1087.y * _e1089.z));
+                                                                        let _e1103 = ((_e1089.z * _e1087.x) - (_e1087.z * _e1089.x));
+                                                                        let _e1106 = ((_e1089.x * _e1087.y) - (_e1087.x * _e1089.y));
+                                                                        if (_e906 >= _e910) {
+                                                                            phi_2062_ = select(true, false, (_e906 >= _e914));
                                                                         } else {
                                                                             phi_2062_ = true;
                                                                         }
-                                                                        let _e1299 = phi_2062_;
-                                                                        if _e1299 {
-                                                                            phi_2071_ = select(_e1197, _e1196, vec3((_e1098 >= _e1102)));
+                                                                        let _e1111 = phi_2062_;
+                                                                        if _e1111 {
+                                                                            phi_2071_ = select(_e1009, _e1008, vec3((_e910 >= _e914)));
                                                                         } else {
-                                                                            phi_2071_ = _e1195;
+                                                                            phi_2071_ = _e1007;
                                                                         }
-                                                                        let _e1304 = phi_2071_;
-                                                                        let _e1315 = (((_e1286 * (_e1304.x - _e412)) + (_e1291 * (_e1304.y - _e479))) + (_e1294 * (_e1304.z - _e545)));
-                                                                        let _e1320 = (((_e1286 * _e452) + (_e1291 * _e518)) + (_e1294 * _e584));
-                                                                        let _e1321 = (_e1267 - _e1271);
-                                                                        let _e1322 = (_e1265 - _e1269);
-                                                                        let _e1330 = (-(((_e1271 * _e1321) + (_e1269 * _e1322))) / ((_e1321 * _e1321) + (_e1322 * _e1322)));
-                                                                        let _e1332 = select(1f, _e1330, (_e1330 < 1f));
-                                                                        let _e1334 = select(0f, _e1332, (_e1332 > 0f));
-                                                                        let _e1347 = ((_e1273.x + (_e1279.x * _e1334)) - _e412);
-                                                                        let _e1348 = ((_e1273.y + (_e1279.y * _e1334)) - _e479);
-                                                                        let _e1349 = ((_e1273.z + (_e1279.z * _e1334)) - _e545);
-                                                                        let _e1350 = (_e1349 / _e584);
-                                                                        let _e1362 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
-                                                                        let _e1365 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
-                                                                        let _e1367 = select(_e1365, _e1362, (_e1362 > _e1365));
-                                                                        let _e1370 = bitcast<f32>((bitcast<u32>(_e1349) & 2147483647u));
-                                                                        let _e1372 = select(_e1370, _e1367, (_e1367 > _e1370));
-                                                                        let _e1378 = bitcast<f32>((bitcast<u32>(_e1286) & 2147483647u));
-                                                                        let _e1381 = bitcast<f32>((bitcast<u32>(_e1291) & 2147483647u));
-                                                                        let _e1383 = select(_e1381, _e1378, (_e1378 > _e1381));
-                                                                        let _e1386 = bitcast<f32>((bitcast<u32>(_e1294) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1286 * _e1347) + (_e1291 * _e1348)) + (_e1294 * _e1349)) - _e1315)) & 2147483647u)) <= ((0.0000009536743f * select(_e1252, _e1372, (_e1372 > _e1252))) * select(_e1386, _e1383, (_e1383 > _e1386)))) {
-                                                                            let _e1396 = bitcast<f32>((bitcast<u32>(_e1277.x) & 2147483647u));
-                                                                            let _e1399 = bitcast<f32>((bitcast<u32>(_e1277.y) & 2147483647u));
-                                                                            let _e1401 = select(_e1399, _e1396, (_e1396 > _e1399));
-                                                                            let _e1404 = bitcast<f32>((bitcast<u32>(_e1277.z) & 2147483647u));
-                                                                            let _e1410 = bitcast<f32>((bitcast<u32>(_e1275.x) & 2147483647u));
-                                                                            let _e1413 = bitcast<f32>((bitcast<u32>(_e1275.y) & 2147483647u));
-                                                                            let _e1415 = select(_e1413, _e1410, (_e1410 > _e1413));
-                                                                            let _e1418 = bitcast<f32>((bitcast<u32>(_e1275.z) & 2147483647u));
-                                                                            let _e1422 = (bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u)) > ((0.0000038146973f * select(_e1404, _e1401, (_e1401 > _e1404))) * select(_e1418, _e1415, (_e1415 > _e1418))));
-                                                                            if _e1422 {
-                                                                                phi_2236_ = (_e1315 / _e1320);
+                                                                        let _e1116 = phi_2071_;
+                                                                        let _e1127 = (((_e1098 * (_e1116.x - _e412)) + (_e1103 * (_e1116.y - _e479))) + (_e1106 * (_e1116.z - _e545)));
+                                                                        let _e1132 = (((_e1098 * _e452) + (_e1103 * _e518)) + (_e1106 * _e584));
+                                                                        let _e1133 = (_e1079 - _e1083);
+                                                                        let _e1134 = (_e1077 - _e1081);
+                                                                        let _e1142 = (-(((_e1083 * _e1133) + (_e1081 * _e1134))) / ((_e1133 * _e1133) + (_e1134 * _e1134)));
+                                                                        let _e1144 = select(1f, _e1142, (_e1142 < 1f));
+                                                                        let _e1146 = select(0f, _e1144, (_e1144 > 0f));
+                                                                        let _e1159 = ((_e1085.x + (_e1091.x * _e1146)) - _e412);
+                                                                        let _e1160 = ((_e1085.y + (_e1091.y * _e1146)) - _e479);
+                                                                        let _e1161 = ((_e1085.z + (_e1091.z * _e1146)) - _e545);
+                                                                        let _e1162 = (_e1161 / _e584);
+                                                                        let _e1174 = bitcast<f32>((bitcast<u32>(_e1159) & 2147483647u));
+                                                                        let _e1177 = bitcast<f32>((bitcast<u32>(_e1160) & 2147483647u));
+                                                                        let _e1179 = select(_e1177, _e1174, (_e1174 > _e1177));
+                                                                        let _e1182 = bitcast<f32>((bitcast<u32>(_e1161) & 2147483647u));
+                                                                        let _e1184 = select(_e1182, _e1179, (_e1179 > _e1182));
+                                                                        let _e1190 = bitcast<f32>((bitcast<u32>(_e1098) & 2147483647u));
+                                                                        let _e1193 = bitcast<f32>((bitcast<u32>(_e1103) & 2147483647u));
+                                                                        let _e1195 = select(_e1193, _e1190, (_e1190 > _e1193));
+                                                                        let _e1198 = bitcast<f32>((bitcast<u32>(_e1106) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1098 * _e1159) + (_e1103 * _e1160)) + (_e1106 * _e1161)) - _e1127)) & 2147483647u)) <= ((0.0000009536743f * select(_e1064, _e1184, (_e1184 > _e1064))) * select(_e1198, _e1195, (_e1195 > _e1198)))) {
+                                                                            let _e1208 = bitcast<f32>((bitcast<u32>(_e1089.x) & 2147483647u));
+                                                                            let _e1211 = bitcast<f32>((bitcast<u32>(_e1089.y) & 2147483647u));
+                                                                            let _e1213 = select(_e1211, _e1208, (_e1208 > _e1211));
+                                                                            let _e1216 = bitcast<f32>((bitcast<u32>(_e1089.z) & 2147483647u));
+                                                                            let _e1222 = bitcast<f32>((bitcast<u32>(_e1087.x) & 2147483647u));
+                                                                            let _e1225 = bitcast<f32>((bitcast<u32>(_e1087.y) & 2147483647u));
+                                                                            let _e1227 = select(_e1225, _e1222, (_e1222 > _e1225));
+                                                                            let _e1230 = bitcast<f32>((bitcast<u32>(_e1087.z) & 2147483647u));
+                                                                            let _e1234 = (bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u)) > ((0.0000038146973f * select(_e1216, _e1213, (_e1213 > _e1216))) * select(_e1230, _e1227, (_e1227 > _e1230))));
+                                                                            if _e1234 {
+                                                                                phi_2236_ = (_e1127 / _e1132);
                                                                             } else {
                                                                                 phi_2236_ = f32();
                                                                             }
-                                                                            let _e1425 = phi_2236_;
-                                                                            phi_2238_ = _e1425;
-                                                                            phi_2239_ = select(true, false, _e1422);
+                                                                            let _e1237 = phi_2236_;
+                                                                            phi_2238_ = _e1237;
+                                                                            phi_2239_ = select(true, false, _e1234);
                                                                         } else {
                                                                             phi_2238_ = f32();
                                                                             phi_2239_ = true;
                                                                         }
-                                                                        let _e1428 = phi_2238_;
-                                                                        let _e1430 = phi_2239_;
-                                                                        if _e1430 {
-                                                                            let _e1438 = (((_e1286 * (_e1347 - (_e452 * _e1350))) + (_e1291 * (_e1348 - (_e518 * _e1350)))) / _e1320);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u)) <= _e1252) {
-                                                                                phi_2259_ = (_e1350 + _e1438);
+                                                                        let _e1240 = phi_2238_;
+                                                                        let _e1242 = phi_2239_;
+                                                                        if _e1242 {
+                                                                            let _e1250 = (((_e1098 * (_e1159 - (_e452 * _e1162))) + (_e1103 * (_e1160 - (_e518 * _e1162)))) / _e1132);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u)) <= _e1064) {
+                                                                                phi_2259_ = (_e1162 + _e1250);
                                                                             } else {
-                                                                                phi_2259_ = _e1350;
+                                                                                phi_2259_ = _e1162;
                                                                             }
-                                                                            let _e1445 = phi_2259_;
-                                                                            phi_2260_ = _e1445;
+                                                                            let _e1257 = phi_2259_;
+                                                                            phi_2260_ = _e1257;
                                                                         } else {
-                                                                            phi_2260_ = _e1428;
+                                                                            phi_2260_ = _e1240;
                                                                         }
-                                                                        let _e1447 = phi_2260_;
-                                                                        let _e1449 = select(_e1185, _e1447, (_e1447 < _e1185));
-                                                                        let _e1451 = select(_e1177, _e1449, (_e1449 > _e1177));
-                                                                        if (_e1451 >= _e698) {
-                                                                            let _e1453 = (_e1451 <= _e933.member_1);
-                                                                            if _e1453 {
-                                                                                let _e1454 = (1f / _e1104);
-                                                                                phi_2283_ = type_28(_e1451, (_e1098 * _e1454), (_e1102 * _e1454), _e962);
+                                                                        let _e1259 = phi_2260_;
+                                                                        let _e1261 = select(_e997, _e1259, (_e1259 < _e997));
+                                                                        let _e1263 = select(_e989, _e1261, (_e1261 > _e989));
+                                                                        if (_e1263 >= _e698) {
+                                                                            let _e1265 = (_e1263 <= _e745.member_1);
+                                                                            if _e1265 {
+                                                                                let _e1266 = (1f / _e916);
+                                                                                phi_2283_ = type_28(_e1263, (_e910 * _e1266), (_e914 * _e1266), _e774);
                                                                             } else {
                                                                                 phi_2283_ = type_28();
                                                                             }
-                                                                            let _e1459 = phi_2283_;
-                                                                            phi_2285_ = _e1459;
-                                                                            phi_2286_ = select(true, false, _e1453);
+                                                                            let _e1271 = phi_2283_;
+                                                                            phi_2285_ = _e1271;
+                                                                            phi_2286_ = select(true, false, _e1265);
                                                                         } else {
                                                                             phi_2285_ = type_28();
                                                                             phi_2286_ = true;
                                                                         }
-                                                                        let _e1462 = phi_2285_;
-                                                                        let _e1464 = phi_2286_;
-                                                                        if _e1464 {
+                                                                        let _e1274 = phi_2285_;
+                                                                        let _e1276 = phi_2286_;
+                                                                        if _e1276 {
                                                                             phi_2290_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2290_ = _e1462;
+                                                                            phi_2290_ = _e1274;
                                                                         }
-                                                                        let _e1466 = phi_2290_;
-                                                                        phi_2291_ = _e1466;
+                                                                        let _e1278 = phi_2290_;
+                                                                        phi_2291_ = _e1278;
                                                                     }
-                                                                    let _e1468 = phi_2291_;
-                                                                    phi_2292_ = _e1468;
-                                                                    phi_2293_ = _e1194;
+                                                                    let _e1280 = phi_2291_;
+                                                                    phi_2292_ = _e1280;
+                                                                    phi_2293_ = _e1006;
                                                                 }
-                                                                let _e1470 = phi_2292_;
-                                                                let _e1472 = phi_2293_;
-                                                                phi_2297_ = _e1470;
-                                                                phi_2298_ = _e1472;
+                                                                let _e1282 = phi_2292_;
+                                                                let _e1284 = phi_2293_;
+                                                                phi_2297_ = _e1282;
+                                                                phi_2298_ = _e1284;
                                                             }
-                                                            let _e1474 = phi_2297_;
-                                                            let _e1476 = phi_2298_;
-                                                            phi_2299_ = _e1474;
-                                                            phi_2300_ = _e1129;
-                                                            phi_2301_ = _e1476;
+                                                            let _e1286 = phi_2297_;
+                                                            let _e1288 = phi_2298_;
+                                                            phi_2299_ = _e1286;
+                                                            phi_2300_ = _e941;
+                                                            phi_2301_ = _e1288;
                                                         }
-                                                        let _e1478 = phi_2299_;
-                                                        let _e1480 = phi_2300_;
-                                                        let _e1482 = phi_2301_;
-                                                        phi_2302_ = _e1478;
-                                                        phi_2303_ = _e1480;
-                                                        phi_2304_ = _e1482;
+                                                        let _e1290 = phi_2299_;
+                                                        let _e1292 = phi_2300_;
+                                                        let _e1294 = phi_2301_;
+                                                        phi_2302_ = _e1290;
+                                                        phi_2303_ = _e1292;
+                                                        phi_2304_ = _e1294;
                                                     }
-                                                    let _e1484 = phi_2302_;
-                                                    let _e1486 = phi_2303_;
-                                                    let _e1488 = phi_2304_;
-                                                    phi_2312_ = _e1484;
-                                                    phi_2313_ = select(_e1488, true, _e1486);
+                                                    let _e1296 = phi_2302_;
+                                                    let _e1298 = phi_2303_;
+                                                    let _e1300 = phi_2304_;
+                                                    phi_2312_ = _e1296;
+                                                    phi_2313_ = select(_e1300, true, _e1298);
                                                 } else {
                                                     phi_2312_ = type_28();
                                                     phi_2313_ = true;
                                                 }
-                                                let _e1491 = phi_2312_;
-                                                let _e1493 = phi_2313_;
-                                                if _e1493 {
+                                                let _e1303 = phi_2312_;
+                                                let _e1305 = phi_2313_;
+                                                if _e1305 {
                                                     phi_2317_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2317_ = _e1491;
+                                                    phi_2317_ = _e1303;
                                                 }
-                                                let _e1495 = phi_2317_;
-                                                if (_e1495.member_3 != 4294967295u) {
-                                                    if (_e962 == _e111) {
+                                                let _e1307 = phi_2317_;
+                                                if (_e1307.member_3 != 4294967295u) {
+                                                    if (_e774 == _e111) {
                                                         phi_2652_ = false;
                                                     } else {
-                                                        let _e1499 = (_e962 < arrayLength((&global_5.member)));
-                                                        if _e1499 {
-                                                            if _e1499 {
+                                                        let _e1311 = (_e774 < arrayLength((&global_5.member)));
+                                                        if _e1311 {
+                                                            if _e1311 {
                                                             } else {
-                                                                phi_3426_ = true;
+                                                                phi_3430_ = true;
                                                                 break;
                                                             }
-                                                            let _e1501 = global_5.member[_e962];
-                                                            phi_2340_ = _e1501;
+                                                            let _e1313 = global_5.member[_e774];
+                                                            phi_2340_ = _e1313;
                                                         } else {
                                                             phi_2340_ = 4294967295u;
                                                         }
-                                                        let _e1503 = phi_2340_;
-                                                        let _e1504 = (_e1503 < arrayLength((&global_6.member)));
-                                                        if _e1504 {
-                                                            if _e1504 {
+                                                        let _e1315 = phi_2340_;
+                                                        let _e1316 = (_e1315 < arrayLength((&global_6.member)));
+                                                        if _e1316 {
+                                                            if _e1316 {
                                                             } else {
-                                                                phi_3426_ = true;
+                                                                phi_3430_ = true;
                                                                 break;
                                                             }
-                                                            let _e1506 = global_6.member[_e1503];
-                                                            phi_2354_ = _e1506;
+                                                            let _e1318 = global_6.member[_e1315];
+                                                            phi_2354_ = _e1318;
                                                         } else {
                                                             phi_2354_ = 0i;
                                                         }
-                                                        let _e1508 = phi_2354_;
-                                                        let _e1509 = (_e1508 == 0i);
-                                                        if _e1509 {
+                                                        let _e1320 = phi_2354_;
+                                                        let _e1321 = (_e1320 == 0i);
+                                                        if _e1321 {
                                                             phi_2651_ = true;
                                                         } else {
                                                             if _e389 {
-                                                                phi_2377_ = vec3<f32>(_e1032[0][0], _e1032[0][1], _e1032[0][2]);
+                                                                phi_2377_ = vec3<f32>(_e844[0][0], _e844[0][1], _e844[0][2]);
                                                             } else {
                                                                 if (_e365 == 1u) {
-                                                                    phi_2376_ = vec3<f32>(_e1032[0][2], _e1032[0][0], _e1032[0][1]);
+                                                                    phi_2376_ = vec3<f32>(_e844[0][2], _e844[0][0], _e844[0][1]);
                                                                 } else {
-                                                                    phi_2376_ = vec3<f32>(_e1032[0][1], _e1032[0][2], _e1032[0][0]);
+                                                                    phi_2376_ = vec3<f32>(_e844[0][1], _e844[0][2], _e844[0][0]);
                                                                 }
-                                                                let _e1514 = phi_2376_;
-                                                                phi_2377_ = _e1514;
+                                                                let _e1326 = phi_2376_;
+                                                                phi_2377_ = _e1326;
                                                             }
-                                                            let _e1517 = phi_2377_;
+                                                            let _e1329 = phi_2377_;
                                                             if _e389 {
-                                                                phi_2396_ = vec3<f32>(_e1032[1][0], _e1032[1][1], _e1032[1][2]);
+                                                                phi_2396_ = vec3<f32>(_e844[1][0], _e844[1][1], _e844[1][2]);
                                                             } else {
                                                                 if (_e365 == 1u) {
-                                                                    phi_2395_ = vec3<f32>(_e1032[1][2], _e1032[1][0], _e1032[1][1]);
+                                                                    phi_2395_ = vec3<f32>(_e844[1][2], _e844[1][0], _e844[1][1]);
                                                                 } else {
-                                                                    phi_2395_ = vec3<f32>(_e1032[1][1], _e1032[1][2], _e1032[1][0]);
+                                                                    phi_2395_ = vec3<f32>(_e844[1][1], _e844[1][2], _e844[1][0]);
                                                                 }
-                                                                let _e1522 = phi_2395_;
-                                                                phi_2396_ = _e1522;
+                                                                let _e1334 = phi_2395_;
+                                                                phi_2396_ = _e1334;
                                                             }
-                                                            let _e1525 = phi_2396_;
+                                                            let _e1337 = phi_2396_;
                                                             if _e389 {
-                                                                phi_2415_ = vec3<f32>(_e1032[2][0], _e1032[2][1], _e1032[2][2]);
+                                                                phi_2415_ = vec3<f32>(_e844[2][0], _e844[2][1], _e844[2][2]);
                                                             } else {
                                                                 if (_e365 == 1u) {
-                                                                    phi_2414_ = vec3<f32>(_e1032[2][2], _e1032[2][0], _e1032[2][1]);
+                                                                    phi_2414_ = vec3<f32>(_e844[2][2], _e844[2][0], _e844[2][1]);
                                                                 } else {
-                                                                    phi_2414_ = vec3<f32>(_e1032[2][1], _e1032[2][2], _e1032[2][0]);
+                                                                    phi_2414_ = vec3<f32>(_e844[2][1], _e844[2][2], _e844[2][0]);
                                                                 }
-                                                                let _e1530 = phi_2414_;
-                                                                phi_2415_ = _e1530;
+                                                                let _e1342 = phi_2414_;
+                                                                phi_2415_ = _e1342;
                                                             }
-                                                            let _e1533 = phi_2415_;
-                                                            let _e1536 = (_e1525.x - _e1517.x);
-                                                            let _e1539 = (_e1525.y - _e1517.y);
-                                                            let _e1542 = (_e1525.z - _e1517.z);
-                                                            let _e1544 = (_e1533.x - _e1517.x);
-                                                            let _e1546 = (_e1533.y - _e1517.y);
-                                                            let _e1548 = (_e1533.z - _e1517.z);
+                                                            let _e1345 = phi_2415_;
+                                                            let _e1348 = (_e1337.x - _e1329.x);
+                                                            let _e1351 = (_e1337.y - _e1329.y);
+                                                            let _e1354 = (_e1337.z - _e1329.z);
+                                                            let _e1356 = (_e1345.x - _e1329.x);
+                                                            let _e1358 = (_e1345.y - _e1329.y);
+                                                            let _e1360 = (_e1345.z - _e1329.z);
                                                             if (_e243.member_1 == 1u) {
-                                                                phi_2451_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e1517);
+                                                                phi_2451_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e1329);
                                                             } else {
                                                                 phi_2451_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
                                                             }
-                                                            let _e1563 = phi_2451_;
-                                                            let _e1569 = bitcast<f32>((bitcast<u32>((_e1536 * _e1546)) ^ _e243.member_3[0]));
-                                                            let _e1573 = bitcast<f32>((bitcast<u32>((_e1539 * _e1544)) ^ _e243.member_3[0]));
-                                                            let _e1577 = bitcast<f32>((bitcast<u32>((_e1539 * _e1548)) ^ _e243.member_3[0]));
-                                                            let _e1581 = bitcast<f32>((bitcast<u32>((_e1542 * _e1546)) ^ _e243.member_3[0]));
-                                                            let _e1585 = bitcast<f32>((bitcast<u32>((_e1542 * _e1544)) ^ _e243.member_3[0]));
-                                                            let _e1589 = bitcast<f32>((bitcast<u32>((_e1536 * _e1548)) ^ _e243.member_3[0]));
-                                                            let _e1590 = (_e1577 - _e1581);
-                                                            let _e1591 = (_e1585 - _e1589);
-                                                            let _e1592 = (_e1569 - _e1573);
-                                                            let _e1616 = (bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u)));
-                                                            let _e1623 = (bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1589) & 2147483647u)));
-                                                            let _e1630 = (bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u)));
+                                                            let _e1375 = phi_2451_;
+                                                            let _e1381 = bitcast<f32>((bitcast<u32>((_e1348 * _e1358)) ^ _e243.member_3[0]));
+                                                            let _e1385 = bitcast<f32>((bitcast<u32>((_e1351 * _e1356)) ^ _e243.member_3[0]));
+                                                            let _e1389 = bitcast<f32>((bitcast<u32>((_e1351 * _e1360)) ^ _e243.member_3[0]));
+                                                            let _e1393 = bitcast<f32>((bitcast<u32>((_e1354 * _e1358)) ^ _e243.member_3[0]));
+                                                            let _e1397 = bitcast<f32>((bitcast<u32>((_e1354 * _e1356)) ^ _e243.member_3[0]));
+                                                            let _e1401 = bitcast<f32>((bitcast<u32>((_e1348 * _e1360)) ^ _e243.member_3[0]));
+                                                            let _e1402 = (_e1389 - _e1393);
+                                                            let _e1403 = (_e1397 - _e1401);
+                                                            let _e1404 = (_e1381 - _e1385);
+                                                            let _e1428 = (bitcast<f32>((bitcast<u32>(_e1389) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1393) & 2147483647u)));
+                                                            let _e1435 = (bitcast<f32>((bitcast<u32>(_e1397) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1401) & 2147483647u)));
+                                                            let _e1442 = (bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u)));
                                                             if (_e243.member_2 == 0f) {
                                                                 phi_2633_ = 0f;
                                                             } else {
-                                                                let _e1660 = bitcast<f32>((bitcast<u32>(_e1590) & 2147483647u));
-                                                                let _e1663 = bitcast<f32>((bitcast<u32>(_e1591) & 2147483647u));
-                                                                let _e1666 = bitcast<f32>((bitcast<u32>(_e1592) & 2147483647u));
-                                                                let _e1668 = select(_e1666, _e1663, (_e1663 > _e1666));
-                                                                let _e1672 = select(_e1666, _e1663, (_e1663 < _e1666));
-                                                                let _e1676 = select(_e1663, _e1660, (_e1660 < _e1663));
-                                                                let _e1678 = select(_e1663, _e1660, (_e1660 > _e1663));
-                                                                let _e1680 = select(_e1666, _e1678, (_e1678 < _e1666));
-                                                                phi_2633_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1668, _e1660, (_e1660 > _e1668)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1680, _e1676, (_e1676 > _e1680)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1672, _e1660, (_e1660 < _e1672)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1616 + _e1623) + _e1630))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
+                                                                let _e1472 = bitcast<f32>((bitcast<u32>(_e1402) & 2147483647u));
+                                                                let _e1475 = bitcast<f32>((bitcast<u32>(_e1403) & 2147483647u));
+                                                                let _e1478 = bitcast<f32>((bitcast<u32>(_e1404) & 2147483647u));
+                                                                let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
+                                                                let _e1484 = select(_e1478, _e1475, (_e1475 < _e1478));
+                                                                let _e1488 = select(_e1475, _e1472, (_e1472 < _e1475));
+                                                                let _e1490 = select(_e1475, _e1472, (_e1472 > _e1475));
+                                                                let _e1492 = select(_e1478, _e1490, (_e1490 < _e1478));
+                                                                phi_2633_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1480, _e1472, (_e1472 > _e1480)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1492, _e1488, (_e1488 > _e1492)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1484, _e1472, (_e1472 < _e1484)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1428 + _e1435) + _e1442))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
                                                             }
-                                                            let _e1707 = phi_2633_;
-                                                            phi_2651_ = (_e1509 || !(((((bitcast<f32>((bitcast<u32>((_e1563.x * _e1590)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1563.y * _e1591)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1563.z * _e1592)) ^ _e243.member_3[0]))) * f32(-(_e1508))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.x) & 2147483647u)) * _e1616)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.y) & 2147483647u)) * _e1623)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.z) & 2147483647u)) * _e1630)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e1707) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1519 = phi_2633_;
+                                                            phi_2651_ = (_e1321 || !(((((bitcast<f32>((bitcast<u32>((_e1375.x * _e1402)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1375.y * _e1403)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1375.z * _e1404)) ^ _e243.member_3[0]))) * f32(-(_e1320))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1375.x) & 2147483647u)) * _e1428)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1375.y) & 2147483647u)) * _e1435)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1375.z) & 2147483647u)) * _e1442)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e1519) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1721 = phi_2651_;
-                                                        phi_2652_ = _e1721;
+                                                        let _e1533 = phi_2651_;
+                                                        phi_2652_ = _e1533;
                                                     }
-                                                    let _e1723 = phi_2652_;
-                                                    if _e1723 {
-                                                        if (_e1495.member < _e933.member.member) {
+                                                    let _e1535 = phi_2652_;
+                                                    if _e1535 {
+                                                        if (_e1307.member < _e745.member.member) {
                                                             phi_2672_ = true;
                                                         } else {
-                                                            if (_e1495.member == _e933.member.member) {
-                                                                phi_2671_ = (_e1495.member_3 < _e933.member.member_3);
+                                                            if (_e1307.member == _e745.member.member) {
+                                                                phi_2671_ = (_e1307.member_3 < _e745.member.member_3);
                                                             } else {
                                                                 phi_2671_ = false;
                                                             }
-                                                            let _e1733 = phi_2671_;
-                                                            phi_2672_ = _e1733;
+                                                            let _e1545 = phi_2671_;
+                                                            phi_2672_ = _e1545;
                                                         }
-                                                        let _e1735 = phi_2672_;
-                                                        if _e1735 {
-                                                            phi_2678_ = type_50(_e1495, _e1495.member);
+                                                        let _e1547 = phi_2672_;
+                                                        if _e1547 {
+                                                            phi_2678_ = type_50(_e1307, _e1307.member);
                                                         } else {
-                                                            phi_2678_ = _e933;
+                                                            phi_2678_ = _e745;
                                                         }
-                                                        let _e1738 = phi_2678_;
-                                                        phi_2679_ = _e1738;
+                                                        let _e1550 = phi_2678_;
+                                                        phi_2679_ = _e1550;
                                                     } else {
-                                                        phi_2679_ = _e933;
+                                                        phi_2679_ = _e745;
                                                     }
-                                                    let _e1740 = phi_2679_;
-                                                    phi_2680_ = _e1740;
+                                                    let _e1552 = phi_2679_;
+                                                    phi_2680_ = _e1552;
                                                 } else {
-                                                    phi_2680_ = _e933;
+                                                    phi_2680_ = _e745;
                                                 }
-                                                let _e1742 = phi_2680_;
-                                                phi_1280_ = _e1742;
+                                                let _e1554 = phi_2680_;
+                                                phi_1280_ = _e1554;
                                             } else {
                                                 phi_1280_ = type_50();
                                             }
-                                            let _e1744 = phi_1280_;
+                                            let _e1556 = phi_1280_;
                                             continue;
                                             continuing {
-                                                phi_1279_ = _e1744;
-                                                phi_1282_ = _e948;
-                                                phi_3426_ = _e706;
-                                                break if !(_e954);
+                                                phi_1279_ = _e1556;
+                                                phi_1282_ = _e760;
+                                                phi_3430_ = _e706;
+                                                break if !(_e766);
                                             }
                                         }
-                                        let _e1747 = phi_3426_;
-                                        phi_3618_ = _e1747;
-                                        if _e1747 {
+                                        let _e1559 = phi_3430_;
+                                        phi_3622_ = _e1559;
+                                        if _e1559 {
                                             break;
                                         }
-                                        phi_3622_ = _e1747;
-                                        let _e2073 = local_3;
-                                        phi_3166_ = _e2073;
-                                        phi_3167_ = false;
-                                        phi_3168_ = _e733;
-                                        phi_3169_ = _e735;
+                                        phi_3657_ = _e1559;
+                                        let _e2064 = local_3;
+                                        phi_2681_ = _e2064;
+                                    } else {
+                                        phi_3657_ = _e706;
+                                        phi_2681_ = _e708;
+                                    }
+                                    let _e1561 = phi_3657_;
+                                    let _e1563 = phi_2681_;
+                                    if _e738 {
+                                        phi_3161_ = bool();
+                                        phi_3162_ = u32();
+                                        phi_3163_ = u32();
                                     } else {
                                         if (_e735 >= _e86) {
-                                            phi_2750_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_2746_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e735 < _e86) {
                                             } else {
-                                                phi_3618_ = true;
+                                                phi_3622_ = true;
                                                 break;
                                             }
-                                            let _e745 = (_e365 % 3u);
-                                            if (_e745 < 3u) {
+                                            let _e1566 = (_e365 % 3u);
+                                            if (_e1566 < 3u) {
                                             } else {
-                                                phi_3618_ = true;
+                                                phi_3622_ = true;
                                                 break;
                                             }
-                                            let _e751 = global_4.member[_e735].member[_e745];
-                                            let _e757 = (_e364 % 3u);
-                                            if (_e757 < 3u) {
+                                            let _e1572 = global_4.member[_e735].member[_e1566];
+                                            let _e1578 = (_e364 % 3u);
+                                            if (_e1578 < 3u) {
                                             } else {
-                                                phi_3618_ = true;
+                                                phi_3622_ = true;
                                                 break;
                                             }
-                                            let _e763 = global_4.member[_e735].member[_e757];
-                                            let _e769 = (_e366 % 3u);
-                                            if (_e769 < 3u) {
+                                            let _e1584 = global_4.member[_e735].member[_e1578];
+                                            let _e1590 = (_e366 % 3u);
+                                            if (_e1590 < 3u) {
                                             } else {
-                                                phi_3618_ = true;
+                                                phi_3622_ = true;
                                                 break;
                                             }
-                                            let _e775 = global_4.member[_e735].member[_e769];
-                                            let _e785 = global_4.member[_e735].member_1;
-                                            let _e789 = global_4.member[_e735].member_2;
-                                            phi_2750_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e751[0], _e751[1], _e751[2], _e751[3]), vec4<f32>(_e763[0], _e763[1], _e763[2], _e763[3]), vec4<f32>(_e775[0], _e775[1], _e775[2], _e775[3])), _e785, _e789);
+                                            let _e1596 = global_4.member[_e735].member[_e1590];
+                                            let _e1606 = global_4.member[_e735].member_1;
+                                            let _e1610 = global_4.member[_e735].member_2;
+                                            phi_2746_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e1572[0], _e1572[1], _e1572[2], _e1572[3]), vec4<f32>(_e1584[0], _e1584[1], _e1584[2], _e1584[3]), vec4<f32>(_e1596[0], _e1596[1], _e1596[2], _e1596[3])), _e1606, _e1610);
                                         }
-                                        let _e792 = phi_2750_;
-                                        let _e804 = ((_e792.member[0].x - _e450) * _e455);
-                                        let _e805 = ((_e792.member[0].y - _e450) * _e455);
-                                        let _e806 = ((_e792.member[0].z - _e451) * _e455);
-                                        let _e807 = ((_e792.member[0].w - _e451) * _e455);
-                                        let _e817 = ((_e792.member[1].x - _e516) * _e521);
-                                        let _e818 = ((_e792.member[1].y - _e516) * _e521);
-                                        let _e819 = ((_e792.member[1].z - _e517) * _e521);
-                                        let _e820 = ((_e792.member[1].w - _e517) * _e521);
-                                        let _e830 = ((_e792.member[2].x - _e582) * _e587);
-                                        let _e831 = ((_e792.member[2].y - _e582) * _e587);
-                                        let _e832 = ((_e792.member[2].z - _e583) * _e587);
-                                        let _e833 = ((_e792.member[2].w - _e583) * _e587);
-                                        let _e835 = select(_e832, _e830, (_e830 < _e832));
-                                        let _e837 = select(_e833, _e831, (_e831 < _e833));
-                                        let _e839 = select(_e832, _e830, (_e830 > _e832));
-                                        let _e841 = select(_e833, _e831, (_e831 > _e833));
-                                        let _e843 = select(_e806, _e804, (_e804 < _e806));
-                                        let _e845 = select(_e807, _e805, (_e805 < _e807));
-                                        let _e847 = select(_e819, _e817, (_e817 < _e819));
-                                        let _e849 = select(_e820, _e818, (_e818 < _e820));
-                                        let _e851 = select(_e847, _e843, (_e843 > _e847));
-                                        let _e853 = select(_e849, _e845, (_e845 > _e849));
-                                        let _e855 = select(_e835, _e851, (_e851 > _e835));
-                                        let _e857 = select(_e837, _e853, (_e853 > _e837));
-                                        let _e859 = select(_e806, _e804, (_e804 > _e806));
-                                        let _e861 = select(_e807, _e805, (_e805 > _e807));
-                                        let _e863 = select(_e819, _e817, (_e817 > _e819));
-                                        let _e865 = select(_e820, _e818, (_e818 > _e820));
-                                        let _e867 = select(_e863, _e859, (_e859 < _e863));
-                                        let _e869 = select(_e865, _e861, (_e861 < _e865));
-                                        let _e874 = -(_e835);
-                                        let _e875 = -(_e837);
-                                        let _e882 = (select(_e839, _e867, (_e867 < _e839)) + (select(_e874, _e839, (_e839 > _e874)) * 0.0000019073523f));
-                                        let _e883 = (select(_e841, _e869, (_e869 < _e841)) + (select(_e875, _e841, (_e841 > _e875)) * 0.0000019073523f));
-                                        let _e885 = select(_e698, _e855, (_e855 > _e698));
-                                        let _e887 = select(_e698, _e857, (_e857 > _e698));
-                                        let _e892 = (_e885 <= select(_e708.member_1, _e882, (_e882 < _e708.member_1)));
-                                        let _e893 = (_e887 <= select(_e708.member_1, _e883, (_e883 < _e708.member_1)));
-                                        let _e894 = (_e885 <= _e887);
-                                        if _e892 {
-                                            if _e893 {
-                                                if _e894 {
-                                                    phi_3112_ = _e792.member_2;
+                                        let _e1613 = phi_2746_;
+                                        let _e1625 = ((_e1613.member[0].x - _e450) * _e455);
+                                        let _e1626 = ((_e1613.member[0].y - _e450) * _e455);
+                                        let _e1627 = ((_e1613.member[0].z - _e451) * _e455);
+                                        let _e1628 = ((_e1613.member[0].w - _e451) * _e455);
+                                        let _e1638 = ((_e1613.member[1].x - _e516) * _e521);
+                                        let _e1639 = ((_e1613.member[1].y - _e516) * _e521);
+                                        let _e1640 = ((_e1613.member[1].z - _e517) * _e521);
+                                        let _e1641 = ((_e1613.member[1].w - _e517) * _e521);
+                                        let _e1651 = ((_e1613.member[2].x - _e582) * _e587);
+                                        let _e1652 = ((_e1613.member[2].y - _e582) * _e587);
+                                        let _e1653 = ((_e1613.member[2].z - _e583) * _e587);
+                                        let _e1654 = ((_e1613.member[2].w - _e583) * _e587);
+                                        let _e1656 = select(_e1653, _e1651, (_e1651 < _e1653));
+                                        let _e1658 = select(_e1654, _e1652, (_e1652 < _e1654));
+                                        let _e1660 = select(_e1653, _e1651, (_e1651 > _e1653));
+                                        let _e1662 = select(_e1654, _e1652, (_e1652 > _e1654));
+                                        let _e1664 = select(_e1627, _e1625, (_e1625 < _e1627));
+                                        let _e1666 = select(_e1628, _e1626, (_e1626 < _e1628));
+                                        let _e1668 = select(_e1640, _e1638, (_e1638 < _e1640));
+                                        let _e1670 = select(_e1641, _e1639, (_e1639 < _e1641));
+                                        let _e1672 = select(_e1668, _e1664, (_e1664 > _e1668));
+                                        let _e1674 = select(_e1670, _e1666, (_e1666 > _e1670));
+                                        let _e1676 = select(_e1656, _e1672, (_e1672 > _e1656));
+                                        let _e1678 = select(_e1658, _e1674, (_e1674 > _e1658));
+                                        let _e1680 = select(_e1627, _e1625, (_e1625 > _e1627));
+                                        let _e1682 = select(_e1628, _e1626, (_e1626 > _e1628));
+                                        let _e1684 = select(_e1640, _e1638, (_e1638 > _e1640));
+                                        let _e1686 = select(_e1641, _e1639, (_e1639 > _e1641));
+                                        let _e1688 = select(_e1684, _e1680, (_e1680 < _e1684));
+                                        let _e1690 = select(_e1686, _e1682, (_e1682 < _e1686));
+                                        let _e1695 = -(_e1656);
+                                        let _e1696 = -(_e1658);
+                                        let _e1703 = (select(_e1660, _e1688, (_e1688 < _e1660)) + (select(_e1695, _e1660, (_e1660 > _e1695)) * 0.0000019073523f));
+                                        let _e1704 = (select(_e1662, _e1690, (_e1690 < _e1662)) + (select(_e1696, _e1662, (_e1662 > _e1696)) * 0.0000019073523f));
+                                        let _e1706 = select(_e698, _e1676, (_e1676 > _e698));
+                                        let _e1708 = select(_e698, _e1678, (_e1678 > _e698));
+                                        let _e1713 = (_e1706 <= select(_e1563.member_1, _e1703, (_e1703 < _e1563.member_1)));
+                                        let _e1714 = (_e1708 <= select(_e1563.member_1, _e1704, (_e1704 < _e1563.member_1)));
+                                        let _e1715 = (_e1706 <= _e1708);
+                                        if _e1713 {
+                                            if _e1714 {
+                                                if _e1715 {
+                                                    phi_3108_ = _e1613.member_2;
                                                 } else {
-                                                    phi_3112_ = _e792.member_1;
+                                                    phi_3108_ = _e1613.member_1;
                                                 }
-                                                let _e898 = phi_3112_;
-                                                let _e901 = (_e733 % 128u);
-                                                let _e902 = (_e901 < 128u);
-                                                if _e902 {
+                                                let _e1719 = phi_3108_;
+                                                let _e1721 = (_e733 % 128u);
+                                                let _e1722 = (_e1721 < 128u);
+                                                if _e1722 {
                                                 } else {
-                                                    phi_3618_ = true;
+                                                    phi_3622_ = true;
                                                     break;
                                                 }
-                                                local_1[_e901] = _e898;
-                                                if _e902 {
+                                                local_1[_e1721] = _e1719;
+                                                if _e1722 {
                                                 } else {
-                                                    phi_3618_ = true;
+                                                    phi_3622_ = true;
                                                     break;
                                                 }
-                                                local[_e901] = select(_e887, _e885, !(_e894));
-                                                if _e894 {
-                                                    phi_3140_ = _e792.member_1;
+                                                local[_e1721] = select(_e1706, _e1708, _e1715);
+                                                if _e1715 {
+                                                    phi_3135_ = _e1613.member_1;
                                                 } else {
-                                                    phi_3140_ = _e792.member_2;
+                                                    phi_3135_ = _e1613.member_2;
                                                 }
-                                                let _e909 = phi_3140_;
-                                                phi_3141_ = (_e733 + 1u);
-                                                phi_3142_ = _e909;
+                                                let _e1729 = phi_3135_;
+                                                phi_3136_ = (_e733 + 1u);
+                                                phi_3137_ = _e1729;
                                             } else {
-                                                phi_3141_ = u32();
-                                                phi_3142_ = u32();
+                                                phi_3136_ = u32();
+                                                phi_3137_ = u32();
                                             }
-                                            let _e911 = phi_3141_;
-                                            let _e913 = phi_3142_;
-                                            phi_3144_ = _e911;
-                                            phi_3145_ = _e913;
-                                            phi_3146_ = select(true, false, _e893);
+                                            let _e1731 = phi_3136_;
+                                            let _e1733 = phi_3137_;
+                                            phi_3139_ = _e1731;
+                                            phi_3140_ = _e1733;
+                                            phi_3141_ = select(true, false, _e1714);
                                         } else {
-                                            phi_3144_ = u32();
-                                            phi_3145_ = u32();
-                                            phi_3146_ = true;
+                                            phi_3139_ = u32();
+                                            phi_3140_ = u32();
+                                            phi_3141_ = true;
                                         }
-                                        let _e916 = phi_3144_;
-                                        let _e918 = phi_3145_;
-                                        let _e920 = phi_3146_;
-                                        if _e920 {
-                                            if _e892 {
-                                                phi_3155_ = _e792.member_1;
+                                        let _e1736 = phi_3139_;
+                                        let _e1738 = phi_3140_;
+                                        let _e1740 = phi_3141_;
+                                        if _e1740 {
+                                            if _e1713 {
+                                                phi_3150_ = _e1613.member_1;
                                             } else {
-                                                phi_3155_ = _e792.member_2;
+                                                phi_3150_ = _e1613.member_2;
                                             }
-                                            let _e924 = phi_3155_;
-                                            phi_3160_ = select(_e893, true, _e892);
-                                            phi_3162_ = _e924;
+                                            let _e1744 = phi_3150_;
+                                            phi_3155_ = select(_e1714, true, _e1713);
+                                            phi_3157_ = _e1744;
                                         } else {
-                                            phi_3160_ = _e731;
-                                            phi_3162_ = _e918;
+                                            phi_3155_ = _e731;
+                                            phi_3157_ = _e1738;
                                         }
-                                        let _e927 = phi_3160_;
-                                        let _e929 = phi_3162_;
-                                        phi_3622_ = _e706;
-                                        phi_3166_ = _e708;
-                                        phi_3167_ = _e927;
-                                        phi_3168_ = select(_e916, _e733, _e920);
-                                        phi_3169_ = _e929;
+                                        let _e1747 = phi_3155_;
+                                        let _e1749 = phi_3157_;
+                                        phi_3161_ = _e1747;
+                                        phi_3162_ = select(_e1736, _e733, _e1740);
+                                        phi_3163_ = _e1749;
                                     }
-                                    let _e1749 = phi_3622_;
-                                    let _e1751 = phi_3166_;
-                                    let _e1753 = phi_3167_;
-                                    let _e1755 = phi_3168_;
-                                    let _e1757 = phi_3169_;
-                                    phi_3621_ = _e1749;
-                                    phi_3170_ = _e1751;
-                                    phi_3171_ = _e1753;
-                                    phi_3172_ = (_e712 - 1u);
-                                    phi_3173_ = _e1755;
-                                    phi_3174_ = _e1757;
+                                    let _e1752 = phi_3161_;
+                                    let _e1754 = phi_3162_;
+                                    let _e1756 = phi_3163_;
+                                    phi_3625_ = _e1561;
+                                    phi_3174_ = _e1563;
+                                    phi_3175_ = (_e710 - 1u);
+                                    phi_3176_ = select(_e1752, false, _e738);
+                                    phi_3177_ = select(_e1754, _e733, _e738);
+                                    phi_3178_ = select(_e1756, _e735, _e738);
                                 } else {
-                                    phi_3621_ = _e706;
-                                    phi_3170_ = _e708;
-                                    phi_3171_ = _e731;
-                                    phi_3172_ = _e712;
-                                    phi_3173_ = _e733;
-                                    phi_3174_ = _e735;
+                                    phi_3625_ = _e706;
+                                    phi_3174_ = _e708;
+                                    phi_3175_ = _e710;
+                                    phi_3176_ = _e731;
+                                    phi_3177_ = _e733;
+                                    phi_3178_ = _e735;
                                 }
-                                let _e1759 = phi_3621_;
-                                let _e1761 = phi_3170_;
-                                let _e1763 = phi_3171_;
-                                let _e1765 = phi_3172_;
-                                let _e1767 = phi_3173_;
-                                let _e1769 = phi_3174_;
-                                phi_3620_ = _e1759;
-                                phi_3175_ = _e1761;
-                                phi_3176_ = _e1763;
-                                phi_3177_ = _e1765;
-                                phi_3178_ = _e1767;
-                                phi_3179_ = _e1769;
+                                let _e1761 = phi_3625_;
+                                let _e1763 = phi_3174_;
+                                let _e1765 = phi_3175_;
+                                let _e1767 = phi_3176_;
+                                let _e1769 = phi_3177_;
+                                let _e1771 = phi_3178_;
+                                phi_3624_ = _e1761;
+                                phi_3179_ = _e1763;
+                                phi_3180_ = _e1765;
+                                phi_3181_ = _e1767;
+                                phi_3182_ = _e1769;
+                                phi_3183_ = _e1771;
                             } else {
-                                phi_3620_ = _e706;
-                                phi_3175_ = type_50();
-                                phi_3176_ = bool();
-                                phi_3177_ = u32();
-                                phi_3178_ = u32();
-                                phi_3179_ = u32();
+                                phi_3624_ = _e706;
+                                phi_3179_ = type_50();
+                                phi_3180_ = u32();
+                                phi_3181_ = bool();
+                                phi_3182_ = u32();
+                                phi_3183_ = u32();
                             }
-                            let _e1771 = phi_3620_;
-                            let _e1773 = phi_3175_;
-                            let _e1775 = phi_3176_;
-                            let _e1777 = phi_3177_;
-                            let _e1779 = phi_3178_;
-                            let _e1781 = phi_3179_;
-                            phi_3619_ = _e1771;
-                            phi_1211_ = _e1773;
-                            phi_1214_ = _e1775;
-                            phi_1216_ = _e1777;
-                            phi_1218_ = _e1779;
-                            phi_1220_ = _e1781;
-                            phi_3180_ = _e720;
+                            let _e1773 = phi_3624_;
+                            let _e1775 = phi_3179_;
+                            let _e1777 = phi_3180_;
+                            let _e1779 = phi_3181_;
+                            let _e1781 = phi_3182_;
+                            let _e1783 = phi_3183_;
+                            phi_3623_ = _e1773;
+                            phi_1211_ = _e1775;
+                            phi_1214_ = _e1777;
+                            phi_1216_ = _e1779;
+                            phi_1218_ = _e1781;
+                            phi_1220_ = _e1783;
+                            phi_3184_ = _e720;
                         } else {
-                            phi_3619_ = _e706;
+                            phi_3623_ = _e706;
                             phi_1211_ = type_50();
-                            phi_1214_ = bool();
-                            phi_1216_ = u32();
+                            phi_1214_ = u32();
+                            phi_1216_ = bool();
                             phi_1218_ = u32();
                             phi_1220_ = u32();
-                            phi_3180_ = false;
+                            phi_3184_ = false;
                         }
-                        let _e1783 = phi_3619_;
-                        let _e1785 = phi_1211_;
-                        let _e1787 = phi_1214_;
-                        let _e1789 = phi_1216_;
-                        let _e1791 = phi_1218_;
-                        let _e1793 = phi_1220_;
-                        let _e1795 = phi_3180_;
+                        let _e1785 = phi_3623_;
+                        let _e1787 = phi_1211_;
+                        let _e1789 = phi_1214_;
+                        let _e1791 = phi_1216_;
+                        let _e1793 = phi_1218_;
+                        let _e1795 = phi_1220_;
+                        let _e1797 = phi_3184_;
                         continue;
                         continuing {
-                            phi_3432_ = _e1783;
-                            phi_1210_ = _e1785;
-                            phi_1213_ = _e1787;
-                            phi_1215_ = _e1789;
-                            phi_1217_ = _e1791;
-                            phi_1219_ = _e1793;
-                            phi_3618_ = _e1783;
-                            break if !(_e1795);
+                            phi_3436_ = _e1785;
+                            phi_1210_ = _e1787;
+                            phi_1213_ = _e1789;
+                            phi_1215_ = _e1791;
+                            phi_1217_ = _e1793;
+                            phi_1219_ = _e1795;
+                            phi_3622_ = _e1785;
+                            break if !(_e1797);
                         }
                     }
-                    let _e1798 = phi_3618_;
-                    if _e1798 {
+                    let _e1800 = phi_3622_;
+                    if _e1800 {
                         break;
                     }
-                    let _e1800 = local_2;
-                    if (_e1800.member.member_3 != 4294967295u) {
-                        let _e1805 = bitcast<u32>(_e1800.member.member);
-                        let _e1809 = (bitcast<i32>((_e1805 >> bitcast<u32>(23i))) & 255i);
-                        let _e1810 = (_e1809 + _e367);
-                        if (_e1809 == 255i) {
-                            phi_3239_ = _e1800.member.member;
+                    let _e1802 = local_2;
+                    if (_e1802.member.member_3 != 4294967295u) {
+                        let _e1807 = bitcast<u32>(_e1802.member.member);
+                        let _e1811 = (bitcast<i32>((_e1807 >> bitcast<u32>(23i))) & 255i);
+                        let _e1812 = (_e1811 + _e367);
+                        if (_e1811 == 255i) {
+                            phi_3243_ = _e1802.member.member;
                         } else {
-                            if (_e1809 > 0i) {
-                                if (_e1810 > 0i) {
-                                    let _e1814 = (_e1810 < 255i);
-                                    if _e1814 {
-                                        phi_3218_ = bitcast<f32>((_e1805 + bitcast<u32>((_e367 << bitcast<u32>(23i)))));
+                            if (_e1811 > 0i) {
+                                if (_e1812 > 0i) {
+                                    let _e1816 = (_e1812 < 255i);
+                                    if _e1816 {
+                                        phi_3222_ = bitcast<f32>((_e1807 + bitcast<u32>((_e367 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3218_ = f32();
+                                        phi_3222_ = f32();
                                     }
-                                    let _e1821 = phi_3218_;
-                                    phi_3220_ = _e1821;
-                                    phi_3221_ = select(true, false, _e1814);
+                                    let _e1823 = phi_3222_;
+                                    phi_3224_ = _e1823;
+                                    phi_3225_ = select(true, false, _e1816);
                                 } else {
-                                    phi_3220_ = f32();
-                                    phi_3221_ = true;
+                                    phi_3224_ = f32();
+                                    phi_3225_ = true;
                                 }
-                                let _e1824 = phi_3220_;
-                                let _e1826 = phi_3221_;
-                                phi_3222_ = _e1824;
-                                phi_3223_ = _e1826;
+                                let _e1826 = phi_3224_;
+                                let _e1828 = phi_3225_;
+                                phi_3226_ = _e1826;
+                                phi_3227_ = _e1828;
                             } else {
-                                phi_3222_ = f32();
-                                phi_3223_ = true;
+                                phi_3226_ = f32();
+                                phi_3227_ = true;
                             }
-                            let _e1828 = phi_3222_;
-                            let _e1830 = phi_3223_;
-                            if _e1830 {
-                                let _e1831 = (_e1805 & 2147483648u);
-                                let _e1838 = ((_e1805 & 8388607u) | (select(0u, 1u, ((_e1805 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1842 = (_e1838 == 0u);
-                                if _e1842 {
-                                    phi_3421_ = bitcast<f32>(_e1831);
+                            let _e1830 = phi_3226_;
+                            let _e1832 = phi_3227_;
+                            if _e1832 {
+                                let _e1833 = (_e1807 & 2147483648u);
+                                let _e1840 = ((_e1807 & 8388607u) | (select(0u, 1u, ((_e1807 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1844 = (_e1840 == 0u);
+                                if _e1844 {
+                                    phi_3425_ = bitcast<f32>(_e1833);
                                 } else {
-                                    let _e1847 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1838)), 32u, _e1842) - 8u);
-                                    let _e1850 = (_e1838 << bitcast<u32>((_e1847 & 31u)));
-                                    let _e1852 = ((_e1810 + select(0i, 1i, (_e1809 == 0i))) - bitcast<i32>(_e1847));
-                                    if (_e1852 >= 255i) {
-                                        phi_3411_ = bitcast<f32>((_e1831 | 2139095040u));
-                                        phi_3412_ = f32();
-                                        phi_3413_ = true;
+                                    let _e1849 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1840)), 32u, _e1844) - 8u);
+                                    let _e1852 = (_e1840 << bitcast<u32>((_e1849 & 31u)));
+                                    let _e1854 = ((_e1812 + select(0i, 1i, (_e1811 == 0i))) - bitcast<i32>(_e1849));
+                                    if (_e1854 >= 255i) {
+                                        phi_3415_ = bitcast<f32>((_e1833 | 2139095040u));
+                                        phi_3416_ = f32();
+                                        phi_3417_ = true;
                                     } else {
-                                        let _e1854 = (_e1852 > 0i);
-                                        if _e1854 {
-                                            phi_3405_ = bitcast<f32>(((_e1831 | (bitcast<u32>(_e1852) << bitcast<u32>(23i))) | (_e1850 & 8388607u)));
-                                            phi_3406_ = f32();
+                                        let _e1856 = (_e1854 > 0i);
+                                        if _e1856 {
+                                            phi_3409_ = bitcast<f32>(((_e1833 | (bitcast<u32>(_e1854) << bitcast<u32>(23i))) | (_e1852 & 8388607u)));
+                                            phi_3410_ = f32();
                                         } else {
-                                            if (_e1852 < -24i) {
-                                                phi_3371_ = 26u;
+                                            if (_e1854 < -24i) {
+                                                phi_3375_ = 26u;
                                             } else {
-                                                phi_3371_ = bitcast<u32>((1i - _e1852));
+                                                phi_3375_ = bitcast<u32>((1i - _e1854));
                                             }
-                                            let _e1859 = phi_3371_;
-                                            let _e1860 = (_e1859 & 31u);
-                                            let _e1862 = (_e1850 >> bitcast<u32>(_e1860));
-                                            let _e1866 = (_e1850 & ((1u << bitcast<u32>(_e1860)) - 1u));
-                                            let _e1870 = (1u << bitcast<u32>(((_e1859 - 1u) & 31u)));
-                                            if (_e1866 > _e1870) {
-                                                phi_3392_ = true;
+                                            let _e1861 = phi_3375_;
+                                            let _e1862 = (_e1861 & 31u);
+                                            let _e1864 = (_e1852 >> bitcast<u32>(_e1862));
+                                            let _e1868 = (_e1852 & ((1u << bitcast<u32>(_e1862)) - 1u));
+                                            let _e1872 = (1u << bitcast<u32>(((_e1861 - 1u) & 31u)));
+                                            if (_e1868 > _e1872) {
+                                                phi_3396_ = true;
                                             } else {
-                                                if (_e1866 == _e1870) {
-                                                    phi_3389_ = ((_e1862 & 1u) == 1u);
+                                                if (_e1868 == _e1872) {
+                                                    phi_3393_ = ((_e1864 & 1u) == 1u);
                                                 } else {
-                                                    phi_3389_ = false;
+                                                    phi_3393_ = false;
                                                 }
-                                                let _e1876 = phi_3389_;
-                                                phi_3392_ = _e1876;
+                                                let _e1878 = phi_3393_;
+                                                phi_3396_ = _e1878;
                                             }
-                                            let _e1878 = phi_3392_;
-                                            phi_3405_ = f32();
-                                            phi_3406_ = bitcast<f32>((_e1831 | (_e1862 + select(0u, 1u, _e1878))));
+                                            let _e1880 = phi_3396_;
+                                            phi_3409_ = f32();
+                                            phi_3410_ = bitcast<f32>((_e1833 | (_e1864 + select(0u, 1u, _e1880))));
                                         }
-                                        let _e1891 = phi_3405_;
-                                        let _e1893 = phi_3406_;
-                                        phi_3411_ = _e1891;
-                                        phi_3412_ = _e1893;
-                                        phi_3413_ = _e1854;
+                                        let _e1893 = phi_3409_;
+                                        let _e1895 = phi_3410_;
+                                        phi_3415_ = _e1893;
+                                        phi_3416_ = _e1895;
+                                        phi_3417_ = _e1856;
                                     }
-                                    let _e1897 = phi_3411_;
-                                    let _e1899 = phi_3412_;
-                                    let _e1901 = phi_3413_;
-                                    phi_3421_ = select(_e1899, _e1897, _e1901);
+                                    let _e1899 = phi_3415_;
+                                    let _e1901 = phi_3416_;
+                                    let _e1903 = phi_3417_;
+                                    phi_3425_ = select(_e1901, _e1899, _e1903);
                                 }
-                                let _e1905 = phi_3421_;
-                                phi_3238_ = _e1905;
+                                let _e1907 = phi_3425_;
+                                phi_3242_ = _e1907;
                             } else {
-                                phi_3238_ = _e1828;
+                                phi_3242_ = _e1830;
                             }
-                            let _e1907 = phi_3238_;
-                            phi_3239_ = _e1907;
+                            let _e1909 = phi_3242_;
+                            phi_3243_ = _e1909;
                         }
-                        let _e1909 = phi_3239_;
-                        let _e1910 = bitcast<u32>(_e1909);
-                        if ((_e1910 & 2147483647u) >= 2139095040u) {
-                            phi_3251_ = bitcast<f32>(((_e1910 & 2147483648u) | 2139095039u));
+                        let _e1911 = phi_3243_;
+                        let _e1912 = bitcast<u32>(_e1911);
+                        if ((_e1912 & 2147483647u) >= 2139095040u) {
+                            phi_3255_ = bitcast<f32>(((_e1912 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3251_ = _e1909;
+                            phi_3255_ = _e1911;
                         }
-                        let _e1917 = phi_3251_;
-                        phi_3256_ = type_28(_e1917, _e1800.member.member_1, _e1800.member.member_2, _e1800.member.member_3);
+                        let _e1919 = phi_3255_;
+                        phi_3260_ = type_28(_e1919, _e1802.member.member_1, _e1802.member.member_2, _e1802.member.member_3);
                     } else {
-                        phi_3256_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3260_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1922 = phi_3256_;
+                    let _e1924 = phi_3260_;
                     if _e244 {
                     } else {
                         break;
                     }
-                    global_8.member[_e104] = _e1922;
+                    global_8.member[_e104] = _e1924;
                     if _e105 {
                     } else {
                         break;
                     }
-                    let _e1926 = select(0u, 1u, (_e311 <= _e321));
-                    if (_e1926 > 0u) {
-                        let _e1928 = (1u < _e100);
-                        if _e1928 {
+                    let _e1928 = select(0u, 1u, (_e311 <= _e321));
+                    if (_e1928 > 0u) {
+                        let _e1930 = (1u < _e100);
+                        if _e1930 {
                             if (0u < _e100) {
                             } else {
                                 break;
                             }
-                            let _e1932 = atomicAdd((&global_9.member[0u]), _e1926);
-                            if ((_e1932 + _e1926) < _e1932) {
-                                if _e1928 {
+                            let _e1934 = atomicAdd((&global_9.member[0u]), _e1928);
+                            if ((_e1934 + _e1928) < _e1934) {
+                                if _e1930 {
                                 } else {
                                     break;
                                 }
-                                let _e1937 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e1939 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1940 = select(0u, 1u, (_e1922.member_3 != 4294967295u));
-                    if (_e1940 > 0u) {
-                        let _e1942 = (3u < _e100);
-                        if _e1942 {
+                    let _e1942 = select(0u, 1u, (_e1924.member_3 != 4294967295u));
+                    if (_e1942 > 0u) {
+                        let _e1944 = (3u < _e100);
+                        if _e1944 {
                             if (2u < _e100) {
                             } else {
                                 break;
                             }
-                            let _e1946 = atomicAdd((&global_9.member[2u]), _e1940);
-                            if ((_e1946 + _e1940) < _e1946) {
-                                if _e1942 {
+                            let _e1948 = atomicAdd((&global_9.member[2u]), _e1942);
+                            if ((_e1948 + _e1942) < _e1948) {
+                                if _e1944 {
                                 } else {
                                     break;
                                 }
-                                let _e1951 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e1953 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

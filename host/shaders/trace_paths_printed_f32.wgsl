@@ -165,27 +165,16 @@ fn function_() {
     var phi_1238_: u32;
     var phi_1246_: f32;
     var phi_1247_: f32;
-    var phi_4161_: bool;
+    var phi_4165_: bool;
     var phi_1330_: type_43;
-    var phi_1333_: bool;
-    var phi_1335_: u32;
+    var phi_1333_: u32;
+    var phi_1335_: bool;
     var phi_1337_: u32;
     var phi_1339_: type_61;
     var phi_1350_: bool;
     var phi_1436_: bool;
     var phi_1437_: u32;
     var phi_1438_: type_61;
-    var phi_2883_: type_54;
-    var phi_3769_: type_61;
-    var phi_3846_: type_61;
-    var phi_3847_: u32;
-    var phi_3848_: type_61;
-    var phi_3850_: u32;
-    var phi_3851_: type_61;
-    var phi_3852_: bool;
-    var phi_3859_: type_61;
-    var phi_3864_: bool;
-    var phi_3866_: type_61;
     var phi_1456_: type_43;
     var phi_1459_: type_8;
     var phi_1460_: type_8;
@@ -245,51 +234,63 @@ fn function_() {
     var phi_2856_: type_43;
     var phi_2857_: type_43;
     var phi_1457_: type_43;
-    var phi_4155_: bool;
-    var phi_4351_: bool;
-    var phi_3870_: type_43;
-    var phi_3871_: bool;
-    var phi_3872_: u32;
-    var phi_3873_: type_61;
-    var phi_4350_: bool;
-    var phi_3874_: type_43;
-    var phi_3875_: bool;
-    var phi_3876_: u32;
-    var phi_3877_: u32;
-    var phi_3878_: type_61;
-    var phi_4349_: bool;
-    var phi_3879_: type_43;
+    var phi_4159_: bool;
+    var phi_4410_: bool;
+    var phi_2858_: type_43;
+    var phi_2879_: type_54;
+    var phi_3765_: type_61;
+    var phi_3841_: type_61;
+    var phi_3842_: u32;
+    var phi_3843_: type_61;
+    var phi_3845_: u32;
+    var phi_3846_: type_61;
+    var phi_3847_: bool;
+    var phi_3854_: type_61;
+    var phi_3859_: bool;
+    var phi_3861_: type_61;
+    var phi_3865_: bool;
+    var phi_3866_: u32;
+    var phi_3867_: type_61;
+    var phi_3877_: type_61;
+    var phi_4354_: bool;
+    var phi_3878_: type_43;
+    var phi_3879_: u32;
     var phi_3880_: bool;
     var phi_3881_: u32;
-    var phi_3882_: u32;
-    var phi_3883_: type_61;
-    var phi_4348_: bool;
+    var phi_3882_: type_61;
+    var phi_4353_: bool;
+    var phi_3883_: type_43;
+    var phi_3884_: u32;
+    var phi_3885_: bool;
+    var phi_3886_: u32;
+    var phi_3887_: type_61;
+    var phi_4352_: bool;
     var phi_1331_: type_43;
-    var phi_1334_: bool;
-    var phi_1336_: u32;
+    var phi_1334_: u32;
+    var phi_1336_: bool;
     var phi_1338_: u32;
     var phi_1340_: type_61;
-    var phi_3884_: bool;
-    var phi_4347_: bool;
+    var phi_3888_: bool;
+    var phi_4351_: bool;
     var local_10: type_43;
-    var phi_3922_: f32;
-    var phi_3924_: f32;
-    var phi_3925_: bool;
     var phi_3926_: f32;
-    var phi_3927_: bool;
-    var phi_4075_: u32;
-    var phi_4093_: bool;
-    var phi_4096_: bool;
-    var phi_4109_: f32;
-    var phi_4110_: f32;
-    var phi_4115_: f32;
-    var phi_4116_: f32;
-    var phi_4117_: bool;
-    var phi_4125_: f32;
-    var phi_3942_: f32;
-    var phi_3943_: f32;
-    var phi_3955_: f32;
-    var phi_3960_: type_27;
+    var phi_3928_: f32;
+    var phi_3929_: bool;
+    var phi_3930_: f32;
+    var phi_3931_: bool;
+    var phi_4079_: u32;
+    var phi_4097_: bool;
+    var phi_4100_: bool;
+    var phi_4113_: f32;
+    var phi_4114_: f32;
+    var phi_4119_: f32;
+    var phi_4120_: f32;
+    var phi_4121_: bool;
+    var phi_4129_: f32;
+    var phi_3946_: f32;
+    var phi_3947_: f32;
+    var phi_3959_: f32;
+    var phi_3964_: type_27;
     var local_11: type_43;
 
     switch bitcast<i32>(0u) {
@@ -691,31 +692,31 @@ fn function_() {
                         break;
                     }
                     let _e768 = local_8[_e757];
-                    phi_4161_ = false;
+                    phi_4165_ = false;
                     phi_1330_ = type_43(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e742);
-                    phi_1333_ = (_e744 <= _e742);
-                    phi_1335_ = ((3u * _e98) + 1u);
+                    phi_1333_ = ((3u * _e98) + 1u);
+                    phi_1335_ = (_e744 <= _e742);
                     phi_1337_ = 0u;
                     phi_1339_ = type_61(type_59(array<f32, 3>(_e752, _e756, _e760), array<f32, 3>(_e764, _e766, _e768)), select(0u, 2147483648u, (_e98 == 0u)));
                     loop {
-                        let _e776 = phi_4161_;
+                        let _e776 = phi_4165_;
                         let _e778 = phi_1330_;
                         let _e780 = phi_1333_;
                         let _e782 = phi_1335_;
                         let _e784 = phi_1337_;
                         let _e786 = phi_1339_;
                         local_10 = _e778;
-                        if _e780 {
+                        if _e782 {
                             phi_1350_ = true;
                         } else {
                             phi_1350_ = (_e784 > 0u);
                         }
                         let _e789 = phi_1350_;
                         if _e789 {
-                            let _e790 = (_e782 > 0u);
+                            let _e790 = (_e780 > 0u);
                             if _e790 {
-                                if _e780 {
-                                    phi_1436_ = _e780;
+                                if _e782 {
+                                    phi_1436_ = _e782;
                                     phi_1437_ = _e784;
                                     phi_1438_ = _e786;
                                 } else {
@@ -724,49 +725,49 @@ fn function_() {
                                     let _e793 = (_e792 < 128u);
                                     if _e793 {
                                     } else {
-                                        phi_4347_ = true;
+                                        phi_4351_ = true;
                                         break;
                                     }
                                     let _e795 = local_6[_e792];
                                     if _e793 {
                                     } else {
-                                        phi_4347_ = true;
+                                        phi_4351_ = true;
                                         break;
                                     }
                                     let _e797 = local_5[_e792];
                                     if _e793 {
                                     } else {
-                                        phi_4347_ = true;
+                                        phi_4351_ = true;
                                         break;
                                     }
                                     let _e799 = local_4[_e792];
                                     if _e793 {
                                     } else {
-                                        phi_4347_ = true;
+                                        phi_4351_ = true;
                                         break;
                                     }
                                     let _e801 = local_3[_e792];
                                     if _e793 {
                                     } else {
-                                        phi_4347_ = true;
+                                        phi_4351_ = true;
                                         break;
                                     }
                                     let _e804 = local_2[_e792];
                                     if _e793 {
                                     } else {
-                                        phi_4347_ = true;
+                                        phi_4351_ = true;
                                         break;
                                     }
                                     let _e806 = local_1[_e792];
                                     if _e793 {
                                     } else {
-                                        phi_4347_ = true;
+                                        phi_4351_ = true;
                                         break;
                                     }
                                     let _e808 = local[_e792];
                                     if _e793 {
                                     } else {
-                                        phi_4347_ = true;
+                                        phi_4351_ = true;
                                         break;
                                     }
                                     let _e813 = local_7[_e792];
@@ -778,999 +779,1009 @@ fn function_() {
                                 let _e819 = phi_1437_;
                                 let _e821 = phi_1438_;
                                 if _e817 {
-                                    if ((_e821.member_1 & 2147483648u) != 0u) {
+                                    let _e825 = ((_e821.member_1 & 2147483648u) != 0u);
+                                    if _e825 {
                                         phi_1456_ = _e778;
                                         phi_1459_ = type_8(0u, ((_e821.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1197 = phi_1456_;
-                                            let _e1199 = phi_1459_;
-                                            local_11 = _e1197;
-                                            if (_e1199.member < _e1199.member_1) {
-                                                phi_1460_ = type_8((_e1199.member + 1u), _e1199.member_1);
-                                                phi_1482_ = type_8(1u, _e1199.member);
+                                            let _e832 = phi_1456_;
+                                            let _e834 = phi_1459_;
+                                            local_11 = _e832;
+                                            if (_e834.member < _e834.member_1) {
+                                                phi_1460_ = type_8((_e834.member + 1u), _e834.member_1);
+                                                phi_1482_ = type_8(1u, _e834.member);
                                             } else {
-                                                phi_1460_ = _e1199;
+                                                phi_1460_ = _e834;
                                                 phi_1482_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1212 = phi_1460_;
-                                            let _e1214 = phi_1482_;
-                                            let _e1218 = (bitcast<i32>(_e1214.member) != 0i);
-                                            if _e1218 {
-                                                let _e1219 = ((_e821.member_1 & 268435455u) + _e1214.member_1);
-                                                let _e1220 = (_e1219 < _e100);
-                                                if _e1220 {
-                                                    if _e1220 {
+                                            let _e847 = phi_1460_;
+                                            let _e849 = phi_1482_;
+                                            let _e853 = (bitcast<i32>(_e849.member) != 0i);
+                                            if _e853 {
+                                                let _e854 = ((_e821.member_1 & 268435455u) + _e849.member_1);
+                                                let _e855 = (_e854 < _e100);
+                                                if _e855 {
+                                                    if _e855 {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
-                                                    let _e1224 = global_4.member[_e1219].member_1;
-                                                    phi_1503_ = _e1224;
+                                                    let _e859 = global_4.member[_e854].member_1;
+                                                    phi_1503_ = _e859;
                                                 } else {
                                                     phi_1503_ = 4294967295u;
                                                 }
-                                                let _e1226 = phi_1503_;
-                                                if (_e1219 >= _e100) {
+                                                let _e861 = phi_1503_;
+                                                if (_e854 >= _e100) {
                                                     phi_1595_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1220 {
+                                                    if _e855 {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
                                                     if (_e749 < 9u) {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
-                                                    let _e1233 = global_4.member[_e1219].member[_e749];
+                                                    let _e868 = global_4.member[_e854].member[_e749];
                                                     if (_e753 < 9u) {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
-                                                    let _e1239 = global_4.member[_e1219].member[_e753];
+                                                    let _e874 = global_4.member[_e854].member[_e753];
                                                     if (_e757 < 9u) {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
-                                                    let _e1245 = global_4.member[_e1219].member[_e757];
-                                                    let _e1247 = (3u + _e749);
-                                                    if (_e1247 < 9u) {
+                                                    let _e880 = global_4.member[_e854].member[_e757];
+                                                    let _e882 = (3u + _e749);
+                                                    if (_e882 < 9u) {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
-                                                    let _e1253 = global_4.member[_e1219].member[_e1247];
-                                                    let _e1254 = (3u + _e753);
-                                                    if (_e1254 < 9u) {
+                                                    let _e888 = global_4.member[_e854].member[_e882];
+                                                    let _e889 = (3u + _e753);
+                                                    if (_e889 < 9u) {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
-                                                    let _e1260 = global_4.member[_e1219].member[_e1254];
-                                                    let _e1261 = (3u + _e757);
-                                                    if (_e1261 < 9u) {
+                                                    let _e895 = global_4.member[_e854].member[_e889];
+                                                    let _e896 = (3u + _e757);
+                                                    if (_e896 < 9u) {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
-                                                    let _e1267 = global_4.member[_e1219].member[_e1261];
-                                                    let _e1269 = (6u + _e749);
-                                                    if (_e1269 < 9u) {
+                                                    let _e902 = global_4.member[_e854].member[_e896];
+                                                    let _e904 = (6u + _e749);
+                                                    if (_e904 < 9u) {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
-                                                    let _e1275 = global_4.member[_e1219].member[_e1269];
-                                                    let _e1276 = (6u + _e753);
-                                                    if (_e1276 < 9u) {
+                                                    let _e910 = global_4.member[_e854].member[_e904];
+                                                    let _e911 = (6u + _e753);
+                                                    if (_e911 < 9u) {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
-                                                    let _e1282 = global_4.member[_e1219].member[_e1276];
-                                                    let _e1283 = (6u + _e757);
-                                                    if (_e1283 < 9u) {
+                                                    let _e917 = global_4.member[_e854].member[_e911];
+                                                    let _e918 = (6u + _e757);
+                                                    if (_e918 < 9u) {
                                                     } else {
-                                                        phi_4155_ = true;
+                                                        phi_4159_ = true;
                                                         break;
                                                     }
-                                                    let _e1289 = global_4.member[_e1219].member[_e1283];
-                                                    phi_1595_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1233, _e1239, _e1245), array<f32, 3>(_e1253, _e1260, _e1267), array<f32, 3>(_e1275, _e1282, _e1289));
+                                                    let _e924 = global_4.member[_e854].member[_e918];
+                                                    phi_1595_ = array<array<f32, 3>, 3>(array<f32, 3>(_e868, _e874, _e880), array<f32, 3>(_e888, _e895, _e902), array<f32, 3>(_e910, _e917, _e924));
                                                 }
-                                                let _e1293 = phi_1595_;
-                                                let _e1301 = (_e1293[0][2] - _e591);
-                                                let _e1304 = (((_e1293[0][0] - _e458) * _e630) - (_e1301 * _e498));
-                                                let _e1307 = (((_e1293[0][1] - _e525) * _e630) - (_e1301 * _e564));
-                                                let _e1314 = (_e1293[1][2] - _e591);
-                                                let _e1317 = (((_e1293[1][0] - _e458) * _e630) - (_e1314 * _e498));
-                                                let _e1320 = (((_e1293[1][1] - _e525) * _e630) - (_e1314 * _e564));
-                                                let _e1327 = (_e1293[2][2] - _e591);
-                                                let _e1330 = (((_e1293[2][0] - _e458) * _e630) - (_e1327 * _e498));
-                                                let _e1333 = (((_e1293[2][1] - _e525) * _e630) - (_e1327 * _e564));
-                                                let _e1334 = (_e1330 * _e1320);
-                                                let _e1335 = (_e1333 * _e1317);
-                                                let _e1336 = (_e1304 * _e1333);
-                                                let _e1337 = (_e1307 * _e1330);
-                                                let _e1338 = (_e1317 * _e1307);
-                                                let _e1339 = (_e1320 * _e1304);
-                                                let _e1344 = (((_e1334 >= _e1335) && (_e1336 >= _e1337)) && (_e1338 >= _e1339));
-                                                if (_e1344 || (((_e1334 <= _e1335) && (_e1336 <= _e1337)) && (_e1338 <= _e1339))) {
-                                                    let _e1351 = select(-1f, 1f, _e1344);
-                                                    let _e1353 = ((_e1334 - _e1335) * _e1351);
-                                                    let _e1355 = select(0f, _e1353, (_e1353 > 0f));
-                                                    let _e1357 = ((_e1336 - _e1337) * _e1351);
-                                                    let _e1359 = select(0f, _e1357, (_e1357 > 0f));
-                                                    let _e1361 = ((_e1338 - _e1339) * _e1351);
-                                                    let _e1363 = select(0f, _e1361, (_e1361 > 0f));
-                                                    let _e1365 = ((_e1355 + _e1359) + _e1363);
-                                                    if (_e1365 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e928 = phi_1595_;
+                                                let _e936 = (_e928[0][2] - _e591);
+                                                let _e939 = (((_e928[0][0] - _e458) * _e630) - (_e936 * _e498));
+                                                let _e942 = (((_e928[0][1] - _e525) * _e630) - (_e936 * _e564));
+                                                let _e949 = (_e928[1][2] - _e591);
+                                                let _e952 = (((_e928[1][0] - _e458) * _e630) - (_e949 * _e498));
+                                                let _e955 = (((_e928[1][1] - _e525) * _e630) - (_e949 * _e564));
+                                                let _e962 = (_e928[2][2] - _e591);
+                                                let _e965 = (((_e928[2][0] - _e458) * _e630) - (_e962 * _e498));
+                                                let _e968 = (((_e928[2][1] - _e525) * _e630) - (_e962 * _e564));
+                                                let _e969 = (_e965 * _e955);
+                                                let _e970 = (_e968 * _e952);
+                                                let _e971 = (_e939 * _e968);
+                                                let _e972 = (_e942 * _e965);
+                                                let _e973 = (_e952 * _e942);
+                                                let _e974 = (_e955 * _e939);
+                                                let _e979 = (((_e969 >= _e970) && (_e971 >= _e972)) && (_e973 >= _e974));
+                                                if (_e979 || (((_e969 <= _e970) && (_e971 <= _e972)) && (_e973 <= _e974))) {
+                                                    let _e986 = select(-1f, 1f, _e979);
+                                                    let _e988 = ((_e969 - _e970) * _e986);
+                                                    let _e990 = select(0f, _e988, (_e988 > 0f));
+                                                    let _e992 = ((_e971 - _e972) * _e986);
+                                                    let _e994 = select(0f, _e992, (_e992 > 0f));
+                                                    let _e996 = ((_e973 - _e974) * _e986);
+                                                    let _e998 = select(0f, _e996, (_e996 > 0f));
+                                                    let _e1000 = ((_e990 + _e994) + _e998);
+                                                    if (_e1000 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2479_ = type_27();
                                                         phi_2480_ = true;
                                                         phi_2481_ = false;
                                                     } else {
-                                                        let _e1368 = select(_e1317, _e1304, (_e1304 < _e1317));
-                                                        if (select(_e1330, _e1368, (_e1368 < _e1330)) > 0f) {
+                                                        let _e1003 = select(_e952, _e939, (_e939 < _e952));
+                                                        if (select(_e965, _e1003, (_e1003 < _e965)) > 0f) {
                                                             phi_1747_ = true;
                                                         } else {
-                                                            let _e1373 = select(_e1317, _e1304, (_e1304 > _e1317));
-                                                            phi_1747_ = (select(_e1330, _e1373, (_e1373 > _e1330)) < 0f);
+                                                            let _e1008 = select(_e952, _e939, (_e939 > _e952));
+                                                            phi_1747_ = (select(_e965, _e1008, (_e1008 > _e965)) < 0f);
                                                         }
-                                                        let _e1378 = phi_1747_;
-                                                        if _e1378 {
+                                                        let _e1013 = phi_1747_;
+                                                        if _e1013 {
                                                             phi_2476_ = type_27();
                                                             phi_2477_ = true;
                                                             phi_2478_ = false;
                                                         } else {
-                                                            let _e1380 = select(_e1320, _e1307, (_e1307 < _e1320));
-                                                            if (select(_e1333, _e1380, (_e1380 < _e1333)) > 0f) {
+                                                            let _e1015 = select(_e955, _e942, (_e942 < _e955));
+                                                            if (select(_e968, _e1015, (_e1015 < _e968)) > 0f) {
                                                                 phi_1776_ = true;
                                                             } else {
-                                                                let _e1385 = select(_e1320, _e1307, (_e1307 > _e1320));
-                                                                phi_1776_ = (select(_e1333, _e1385, (_e1385 > _e1333)) < 0f);
+                                                                let _e1020 = select(_e955, _e942, (_e942 > _e955));
+                                                                phi_1776_ = (select(_e968, _e1020, (_e1020 > _e968)) < 0f);
                                                             }
-                                                            let _e1390 = phi_1776_;
-                                                            if _e1390 {
+                                                            let _e1025 = phi_1776_;
+                                                            if _e1025 {
                                                                 phi_2474_ = type_27();
                                                                 phi_2475_ = false;
                                                             } else {
-                                                                let _e1392 = select(_e1293[1][0], _e1293[0][0], (_e1293[0][0] < _e1293[1][0]));
-                                                                let _e1396 = select(_e1293[1][0], _e1293[0][0], (_e1293[0][0] > _e1293[1][0]));
-                                                                let _e1400 = select(_e1293[1][1], _e1293[0][1], (_e1293[0][1] < _e1293[1][1]));
-                                                                let _e1404 = select(_e1293[1][1], _e1293[0][1], (_e1293[0][1] > _e1293[1][1]));
-                                                                let _e1408 = select(_e1293[1][2], _e1293[0][2], (_e1293[0][2] < _e1293[1][2]));
-                                                                let _e1412 = select(_e1293[1][2], _e1293[0][2], (_e1293[0][2] > _e1293[1][2]));
-                                                                let _e1417 = ((select(_e1293[2][0], _e1392, (_e1392 < _e1293[2][0])) - _e496) * _e501);
-                                                                let _e1418 = ((select(_e1293[2][0], _e1396, (_e1396 > _e1293[2][0])) - _e497) * _e501);
-                                                                let _e1421 = ((select(_e1293[2][1], _e1400, (_e1400 < _e1293[2][1])) - _e562) * _e567);
-                                                                let _e1422 = ((select(_e1293[2][1], _e1404, (_e1404 > _e1293[2][1])) - _e563) * _e567);
-                                                                let _e1425 = ((select(_e1293[2][2], _e1408, (_e1408 < _e1293[2][2])) - _e628) * _e633);
-                                                                let _e1426 = ((select(_e1293[2][2], _e1412, (_e1412 > _e1293[2][2])) - _e629) * _e633);
-                                                                let _e1428 = select(_e1426, _e1425, (_e1425 < _e1426));
-                                                                let _e1430 = select(_e1426, _e1425, (_e1425 > _e1426));
-                                                                let _e1432 = select(_e1418, _e1417, (_e1417 < _e1418));
-                                                                let _e1434 = select(_e1422, _e1421, (_e1421 < _e1422));
-                                                                let _e1436 = select(_e1434, _e1432, (_e1432 > _e1434));
-                                                                let _e1438 = select(_e1428, _e1436, (_e1436 > _e1428));
-                                                                let _e1440 = select(_e1418, _e1417, (_e1417 > _e1418));
-                                                                let _e1442 = select(_e1422, _e1421, (_e1421 > _e1422));
-                                                                let _e1444 = select(_e1442, _e1440, (_e1440 < _e1442));
-                                                                let _e1446 = select(_e1430, _e1444, (_e1444 < _e1430));
-                                                                let _e1447 = -(_e1428);
-                                                                let _e1453 = select(_e744, _e1438, (_e1438 > _e744));
-                                                                if (_e1453 > (_e1446 + (select(_e1447, _e1430, (_e1430 > _e1447)) * 0.0000019073523f))) {
+                                                                let _e1027 = select(_e928[1][0], _e928[0][0], (_e928[0][0] < _e928[1][0]));
+                                                                let _e1031 = select(_e928[1][0], _e928[0][0], (_e928[0][0] > _e928[1][0]));
+                                                                let _e1035 = select(_e928[1][1], _e928[0][1], (_e928[0][1] < _e928[1][1]));
+                                                                let _e1039 = select(_e928[1][1], _e928[0][1], (_e928[0][1] > _e928[1][1]));
+                                                                let _e1043 = select(_e928[1][2], _e928[0][2], (_e928[0][2] < _e928[1][2]));
+                                                                let _e1047 = select(_e928[1][2], _e928[0][2], (_e928[0][2] > _e928[1][2]));
+                                                                let _e1052 = ((select(_e928[2][0], _e1027, (_e1027 < _e928[2][0])) - _e496) * _e501);
+                                                                let _e1053 = ((select(_e928[2][0], _e1031, (_e1031 > _e928[2][0])) - _e497) * _e501);
+                                                                let _e1056 = ((select(_e928[2][1], _e1035, (_e1035 < _e928[2][1])) - _e562) * _e567);
+                                                                let _e1057 = ((select(_e928[2][1], _e1039, (_e1039 > _e928[2][1])) - _e563) * _e567);
+                                                                let _e1060 = ((select(_e928[2][2], _e1043, (_e1043 < _e928[2][2])) - _e628) * _e633);
+                                                                let _e1061 = ((select(_e928[2][2], _e1047, (_e1047 > _e928[2][2])) - _e629) * _e633);
+                                                                let _e1063 = select(_e1061, _e1060, (_e1060 < _e1061));
+                                                                let _e1065 = select(_e1061, _e1060, (_e1060 > _e1061));
+                                                                let _e1067 = select(_e1053, _e1052, (_e1052 < _e1053));
+                                                                let _e1069 = select(_e1057, _e1056, (_e1056 < _e1057));
+                                                                let _e1071 = select(_e1069, _e1067, (_e1067 > _e1069));
+                                                                let _e1073 = select(_e1063, _e1071, (_e1071 > _e1063));
+                                                                let _e1075 = select(_e1053, _e1052, (_e1052 > _e1053));
+                                                                let _e1077 = select(_e1057, _e1056, (_e1056 > _e1057));
+                                                                let _e1079 = select(_e1077, _e1075, (_e1075 < _e1077));
+                                                                let _e1081 = select(_e1065, _e1079, (_e1079 < _e1065));
+                                                                let _e1082 = -(_e1063);
+                                                                let _e1088 = select(_e744, _e1073, (_e1073 > _e744));
+                                                                if (_e1088 > (_e1081 + (select(_e1082, _e1065, (_e1065 > _e1082)) * 0.0000019073523f))) {
                                                                     phi_2469_ = type_27();
                                                                     phi_2470_ = true;
                                                                 } else {
-                                                                    let _e1455 = (_e1453 > _e1197.member_1);
-                                                                    if _e1455 {
+                                                                    let _e1090 = (_e1088 > _e832.member_1);
+                                                                    if _e1090 {
                                                                         phi_2468_ = type_27();
                                                                     } else {
-                                                                        let _e1456 = vec3<f32>(_e1293[0][0], _e1293[0][1], _e1293[0][2]);
-                                                                        let _e1457 = vec3<f32>(_e1293[1][0], _e1293[1][1], _e1293[1][2]);
-                                                                        let _e1458 = vec3<f32>(_e1293[2][0], _e1293[2][1], _e1293[2][2]);
-                                                                        let _e1459 = (_e1293[1][0] - _e1293[0][0]);
-                                                                        let _e1460 = (_e1293[1][1] - _e1293[0][1]);
-                                                                        let _e1461 = (_e1293[1][2] - _e1293[0][2]);
-                                                                        let _e1462 = vec3<f32>(_e1459, _e1460, _e1461);
-                                                                        let _e1463 = (_e1293[2][0] - _e1293[1][0]);
-                                                                        let _e1464 = (_e1293[2][1] - _e1293[1][1]);
-                                                                        let _e1465 = (_e1293[2][2] - _e1293[1][2]);
-                                                                        let _e1466 = vec3<f32>(_e1463, _e1464, _e1465);
-                                                                        let _e1467 = (_e1293[0][0] - _e1293[2][0]);
-                                                                        let _e1468 = (_e1293[0][1] - _e1293[2][1]);
-                                                                        let _e1469 = (_e1293[0][2] - _e1293[2][2]);
-                                                                        let _e1470 = vec3<f32>(_e1467, _e1468, _e1469);
-                                                                        let _e1473 = bitcast<f32>((bitcast<u32>(_e1459) & 2147483647u));
-                                                                        let _e1476 = bitcast<f32>((bitcast<u32>(_e1460) & 2147483647u));
-                                                                        let _e1478 = select(_e1476, _e1473, (_e1473 > _e1476));
-                                                                        let _e1481 = bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u));
-                                                                        let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
-                                                                        let _e1486 = bitcast<f32>((bitcast<u32>(_e1463) & 2147483647u));
-                                                                        let _e1489 = bitcast<f32>((bitcast<u32>(_e1464) & 2147483647u));
-                                                                        let _e1491 = select(_e1489, _e1486, (_e1486 > _e1489));
-                                                                        let _e1494 = bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u));
-                                                                        let _e1496 = select(_e1494, _e1491, (_e1491 > _e1494));
-                                                                        let _e1499 = bitcast<f32>((bitcast<u32>(_e1467) & 2147483647u));
-                                                                        let _e1502 = bitcast<f32>((bitcast<u32>(_e1468) & 2147483647u));
-                                                                        let _e1504 = select(_e1502, _e1499, (_e1499 > _e1502));
-                                                                        let _e1507 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
-                                                                        let _e1509 = select(_e1507, _e1504, (_e1504 > _e1507));
-                                                                        let _e1511 = select(_e1496, _e1483, (_e1483 > _e1496));
-                                                                        let _e1513 = select(_e1509, _e1511, (_e1511 > _e1509));
-                                                                        if (_e1483 == _e1513) {
-                                                                            phi_2195_ = _e1320;
-                                                                            phi_2196_ = _e1317;
-                                                                            phi_2197_ = _e1307;
-                                                                            phi_2198_ = _e1304;
-                                                                            phi_2199_ = _e1456;
-                                                                            phi_2200_ = _e1470;
-                                                                            phi_2201_ = _e1466;
-                                                                            phi_2202_ = _e1462;
+                                                                        let _e1091 = vec3<f32>(_e928[0][0], _e928[0][1], _e928[0][2]);
+                                                                        let _e1092 = vec3<f32>(_e928[1][0], _e928[1][1], _e928[1][2]);
+                                                                        let _e1093 = vec3<f32>(_e928[2][0], _e928[2][1], _e928[2][2]);
+                                                                        let _e1094 = (_e928[1][0] - _e928[0][0]);
+                                                                        let _e1095 = (_e928[1][1] - _e928[0][1]);
+                                                                        let _e1096 = (_e928[1][2] - _e928[0][2]);
+                                                                        let _e1097 = vec3<f32>(_e1094, _e1095, _e1096);
+                                                                        let _e1098 = (_e928[2][0] - _e928[1][0]);
+                                                                        let _e1099 = (_e928[2][1] - _e928[1][1]);
+                                                                        let _e1100 = (_e928[2][2] - _e928[1][2]);
+                                                                        let _e1101 = vec3<f32>(_e1098, _e1099, _e1100);
+                                                                        let _e1102 = (_e928[0][0] - _e928[2][0]);
+                                                                        let _e1103 = (_e928[0][1] - _e928[2][1]);
+                                                                        let _e1104 = (_e928[0][2] - _e928[2][2]);
+                                                                        let _e1105 = vec3<f32>(_e1102, _e1103, _e1104);
+                                                                        let _e1108 = bitcast<f32>((bitcast<u32>(_e1094) & 2147483647u));
+                                                                        let _e1111 = bitcast<f32>((bitcast<u32>(_e1095) & 2147483647u));
+                                                                        let _e1113 = select(_e1111, _e1108, (_e1108 > _e1111));
+                                                                        let _e1116 = bitcast<f32>((bitcast<u32>(_e1096) & 2147483647u));
+                                                                        let _e1118 = select(_e1116, _e1113, (_e1113 > _e1116));
+                                                                        let _e1121 = bitcast<f32>((bitcast<u32>(_e1098) & 2147483647u));
+                                                                        let _e1124 = bitcast<f32>((bitcast<u32>(_e1099) & 2147483647u));
+                                                                        let _e1126 = select(_e1124, _e1121, (_e1121 > _e1124));
+                                                                        let _e1129 = bitcast<f32>((bitcast<u32>(_e1100) & 2147483647u));
+                                                                        let _e1131 = select(_e1129, _e1126, (_e1126 > _e1129));
+                                                                        let _e1134 = bitcast<f32>((bitcast<u32>(_e1102) & 2147483647u));
+                                                                        let _e1137 = bitcast<f32>((bitcast<u32>(_e1103) & 2147483647u));
+                                                                        let _e1139 = select(_e1137, _e1134, (_e1134 > _e1137));
+                                                                        let _e1142 = bitcast<f32>((bitcast<u32>(_e1104) & 2147483647u));
+                                                                        let _e1144 = select(_e1142, _e1139, (_e1139 > _e1142));
+                                                                        let _e1146 = select(_e1131, _e1118, (_e1118 > _e1131));
+                                                                        let _e1148 = select(_e1144, _e1146, (_e1146 > _e1144));
+                                                                        if (_e1118 == _e1148) {
+                                                                            phi_2195_ = _e955;
+                                                                            phi_2196_ = _e952;
+                                                                            phi_2197_ = _e942;
+                                                                            phi_2198_ = _e939;
+                                                                            phi_2199_ = _e1091;
+                                                                            phi_2200_ = _e1105;
+                                                                            phi_2201_ = _e1101;
+                                                                            phi_2202_ = _e1097;
                                                                         } else {
-                                                                            let _e1515 = (_e1496 == _e1513);
-                                                                            let _e1520 = vec3(_e1515);
-                                                                            phi_2195_ = select(_e1307, _e1333, _e1515);
-                                                                            phi_2196_ = select(_e1304, _e1330, _e1515);
-                                                                            phi_2197_ = select(_e1333, _e1320, _e1515);
-                                                                            phi_2198_ = select(_e1330, _e1317, _e1515);
-                                                                            phi_2199_ = select(_e1458, _e1457, _e1520);
-                                                                            phi_2200_ = select(_e1466, _e1462, _e1520);
-                                                                            phi_2201_ = select(_e1462, _e1470, _e1520);
-                                                                            phi_2202_ = select(_e1470, _e1466, _e1520);
+                                                                            let _e1150 = (_e1131 == _e1148);
+                                                                            let _e1155 = vec3(_e1150);
+                                                                            phi_2195_ = select(_e942, _e968, _e1150);
+                                                                            phi_2196_ = select(_e939, _e965, _e1150);
+                                                                            phi_2197_ = select(_e968, _e955, _e1150);
+                                                                            phi_2198_ = select(_e965, _e952, _e1150);
+                                                                            phi_2199_ = select(_e1093, _e1092, _e1155);
+                                                                            phi_2200_ = select(_e1101, _e1097, _e1155);
+                                                                            phi_2201_ = select(_e1097, _e1105, _e1155);
+                                                                            phi_2202_ = select(_e1105, _e1101, _e1155);
                                                                         }
-                                                                        let _e1526 = phi_2195_;
-                                                                        let _e1528 = phi_2196_;
-                                                                        let _e1530 = phi_2197_;
-                                                                        let _e1532 = phi_2198_;
-                                                                        let _e1534 = phi_2199_;
-                                                                        let _e1536 = phi_2200_;
-                                                                        let _e1538 = phi_2201_;
-                                                                        let _e1540 = phi_2202_;
-                                                                        let _e1547 = ((_e1538.y * _e1536.z) - (_e1536.y * _e1538.z));
-                                                                        let _e1552 = ((_e1538.z * _e1536.x) - (_e1536.z * _e1538.x));
-                                                                        let _e1555 = ((_e1538.x * _e1536.y) - (_e1536.x * _e1538.y));
-                                                                        if (_e1355 >= _e1359) {
-                                                                            phi_2239_ = select(true, false, (_e1355 >= _e1363));
+                                                                        let _e1161 = phi_2195_;
+                                                                        let _e1163 = phi_2196_;
+                                                                        let _e1165 = phi_2197_;
+                                                                        let _e1167 = phi_2198_;
+                                                                        let _e1169 = phi_2199_;
+                                                                        let _e1171 = phi_2200_;
+                                                                        let _e1173 = phi_2201_;
+                                                                        let _e1175 = phi_2202_;
+                                                                        let _e1182 = ((_e1173.y * _e1171.z) - (_e1171.y * _e1173.z));
+                                                                        let _e1187 = ((_e1173.z * _e1171.x) - (_e1171.z * _e1173.x));
+                                                                        let _e1190 = ((_e1173.x * _e1171.y) - (_e1171.x * _e1173.y));
+                                                                        if (_e990 >= _e994) {
+                                                                            phi_2239_ = select(true, false, (_e990 >= _e998));
                                                                         } else {
                                                                             phi_2239_ = true;
                                                                         }
-                                                                        let _e1560 = phi_2239_;
-                                                                        if _e1560 {
-                                                                            phi_2248_ = select(_e1458, _e1457, vec3((_e1359 >= _e1363)));
+                                                                        let _e1195 = phi_2239_;
+                                                                        if _e1195 {
+                                                                            phi_2248_ = select(_e1093, _e1092, vec3((_e994 >= _e998)));
                                                                         } else {
-                                                                            phi_2248_ = _e1456;
+                                                                            phi_2248_ = _e1091;
                                                                         }
-                                                                        let _e1565 = phi_2248_;
-                                                                        let _e1576 = (((_e1547 * (_e1565.x - _e458)) + (_e1552 * (_e1565.y - _e525))) + (_e1555 * (_e1565.z - _e591)));
-                                                                        let _e1581 = (((_e1547 * _e498) + (_e1552 * _e564)) + (_e1555 * _e630));
-                                                                        let _e1582 = (_e1528 - _e1532);
-                                                                        let _e1583 = (_e1526 - _e1530);
-                                                                        let _e1591 = (-(((_e1532 * _e1582) + (_e1530 * _e1583))) / ((_e1582 * _e1582) + (_e1583 * _e1583)));
-                                                                        let _e1593 = select(1f, _e1591, (_e1591 < 1f));
-                                                                        let _e1595 = select(0f, _e1593, (_e1593 > 0f));
-                                                                        let _e1608 = ((_e1534.x + (_e1540.x * _e1595)) - _e458);
-                                                                        let _e1609 = ((_e1534.y + (_e1540.y * _e1595)) - _e525);
-                                                                        let _e1610 = ((_e1534.z + (_e1540.z * _e1595)) - _e591);
-                                                                        let _e1611 = (_e1610 / _e630);
-                                                                        let _e1623 = bitcast<f32>((bitcast<u32>(_e1608) & 2147483647u));
-                                                                        let _e1626 = bitcast<f32>((bitcast<u32>(_e1609) & 2147483647u));
-                                                                        let _e1628 = select(_e1626, _e1623, (_e1623 > _e1626));
-                                                                        let _e1631 = bitcast<f32>((bitcast<u32>(_e1610) & 2147483647u));
-                                                                        let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
-                                                                        let _e1639 = bitcast<f32>((bitcast<u32>(_e1547) & 2147483647u));
-                                                                        let _e1642 = bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u));
-                                                                        let _e1644 = select(_e1642, _e1639, (_e1639 > _e1642));
-                                                                        let _e1647 = bitcast<f32>((bitcast<u32>(_e1555) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1547 * _e1608) + (_e1552 * _e1609)) + (_e1555 * _e1610)) - _e1576)) & 2147483647u)) <= ((0.0000009536743f * select(_e1513, _e1633, (_e1633 > _e1513))) * select(_e1647, _e1644, (_e1644 > _e1647)))) {
-                                                                            let _e1657 = bitcast<f32>((bitcast<u32>(_e1538.x) & 2147483647u));
-                                                                            let _e1660 = bitcast<f32>((bitcast<u32>(_e1538.y) & 2147483647u));
-                                                                            let _e1662 = select(_e1660, _e1657, (_e1657 > _e1660));
-                                                                            let _e1665 = bitcast<f32>((bitcast<u32>(_e1538.z) & 2147483647u));
-                                                                            let _e1671 = bitcast<f32>((bitcast<u32>(_e1536.x) & 2147483647u));
-                                                                            let _e1674 = bitcast<f32>((bitcast<u32>(_e1536.y) & 2147483647u));
-                                                                            let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
-                                                                            let _e1679 = bitcast<f32>((bitcast<u32>(_e1536.z) & 2147483647u));
-                                                                            let _e1683 = (bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u)) > ((0.0000038146973f * select(_e1665, _e1662, (_e1662 > _e1665))) * select(_e1679, _e1676, (_e1676 > _e1679))));
-                                                                            if _e1683 {
-                                                                                phi_2413_ = (_e1576 / _e1581);
+                                                                        let _e1200 = phi_2248_;
+                                                                        let _e1211 = (((_e1182 * (_e1200.x - _e458)) + (_e1187 * (_e1200.y - _e525))) + (_e1190 * (_e1200.z - _e591)));
+                                                                        let _e1216 = (((_e1182 * _e498) + (_e1187 * _e564)) + (_e1190 * _e630));
+                                                                        let _e1217 = (_e1163 - _e1167);
+                                                                        let _e1218 = (_e1161 - _e1165);
+                                                                        let _e1226 = (-(((_e1167 * _e1217) + (_e1165 * _e1218))) / ((_e1217 * _e1217) + (_e1218 * _e1218)));
+                                                                        let _e1228 = select(1f, _e1226, (_e1226 < 1f));
+                                                                        let _e1230 = select(0f, _e1228, (_e1228 > 0f));
+                                                                        let _e1243 = ((_e1169.x + (_e1175.x * _e1230)) - _e458);
+                                                                        let _e1244 = ((_e1169.y + (_e1175.y * _e1230)) - _e525);
+                                                                        let _e1245 = ((_e1169.z + (_e1175.z * _e1230)) - _e591);
+                                                                        let _e1246 = (_e1245 / _e630);
+                                                                        let _e1258 = bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u));
+                                                                        let _e1261 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
+                                                                        let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
+                                                                        let _e1266 = bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u));
+                                                                        let _e1268 = select(_e1266, _e1263, (_e1263 > _e1266));
+                                                                        let _e1274 = bitcast<f32>((bitcast<u32>(_e1182) & 2147483647u));
+                                                                        let _e1277 = bitcast<f32>((bitcast<u32>(_e1187) & 2147483647u));
+                                                                        let _e1279 = select(_e1277, _e1274, (_e1274 > _e1277));
+                                                                        let _e1282 = bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1182 * _e1243) + (_e1187 * _e1244)) + (_e1190 * _e1245)) - _e1211)) & 2147483647u)) <= ((0.0000009536743f * select(_e1148, _e1268, (_e1268 > _e1148))) * select(_e1282, _e1279, (_e1279 > _e1282)))) {
+                                                                            let _e1292 = bitcast<f32>((bitcast<u32>(_e1173.x) & 2147483647u));
+                                                                            let _e1295 = bitcast<f32>((bitcast<u32>(_e1173.y) & 2147483647u));
+                                                                            let _e1297 = select(_e1295, _e1292, (_e1292 > _e1295));
+                                                                            let _e1300 = bitcast<f32>((bitcast<u32>(_e1173.z) & 2147483647u));
+                                                                            let _e1306 = bitcast<f32>((bitcast<u32>(_e1171.x) & 2147483647u));
+                                                                            let _e1309 = bitcast<f32>((bitcast<u32>(_e1171.y) & 2147483647u));
+                                                                            let _e1311 = select(_e1309, _e1306, (_e1306 > _e1309));
+                                                                            let _e1314 = bitcast<f32>((bitcast<u32>(_e1171.z) & 2147483647u));
+                                                                            let _e1318 = (bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u)) > ((0.0000038146973f * select(_e1300, _e1297, (_e1297 > _e1300))) * select(_e1314, _e1311, (_e1311 > _e1314))));
+                                                                            if _e1318 {
+                                                                                phi_2413_ = (_e1211 / _e1216);
                                                                             } else {
                                                                                 phi_2413_ = f32();
                                                                             }
-                                                                            let _e1686 = phi_2413_;
-                                                                            phi_2415_ = _e1686;
-                                                                            phi_2416_ = select(true, false, _e1683);
+                                                                            let _e1321 = phi_2413_;
+                                                                            phi_2415_ = _e1321;
+                                                                            phi_2416_ = select(true, false, _e1318);
                                                                         } else {
                                                                             phi_2415_ = f32();
                                                                             phi_2416_ = true;
                                                                         }
-                                                                        let _e1689 = phi_2415_;
-                                                                        let _e1691 = phi_2416_;
-                                                                        if _e1691 {
-                                                                            let _e1699 = (((_e1547 * (_e1608 - (_e498 * _e1611))) + (_e1552 * (_e1609 - (_e564 * _e1611)))) / _e1581);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u)) <= _e1513) {
-                                                                                phi_2436_ = (_e1611 + _e1699);
+                                                                        let _e1324 = phi_2415_;
+                                                                        let _e1326 = phi_2416_;
+                                                                        if _e1326 {
+                                                                            let _e1334 = (((_e1182 * (_e1243 - (_e498 * _e1246))) + (_e1187 * (_e1244 - (_e564 * _e1246)))) / _e1216);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1334) & 2147483647u)) <= _e1148) {
+                                                                                phi_2436_ = (_e1246 + _e1334);
                                                                             } else {
-                                                                                phi_2436_ = _e1611;
+                                                                                phi_2436_ = _e1246;
                                                                             }
-                                                                            let _e1706 = phi_2436_;
-                                                                            phi_2437_ = _e1706;
+                                                                            let _e1341 = phi_2436_;
+                                                                            phi_2437_ = _e1341;
                                                                         } else {
-                                                                            phi_2437_ = _e1689;
+                                                                            phi_2437_ = _e1324;
                                                                         }
-                                                                        let _e1708 = phi_2437_;
-                                                                        let _e1710 = select(_e1446, _e1708, (_e1708 < _e1446));
-                                                                        let _e1712 = select(_e1438, _e1710, (_e1710 > _e1438));
-                                                                        if (_e1712 >= _e744) {
-                                                                            let _e1714 = (_e1712 <= _e1197.member_1);
-                                                                            if _e1714 {
-                                                                                let _e1715 = (1f / _e1365);
-                                                                                phi_2460_ = type_27(_e1712, (_e1359 * _e1715), (_e1363 * _e1715), _e1226);
+                                                                        let _e1343 = phi_2437_;
+                                                                        let _e1345 = select(_e1081, _e1343, (_e1343 < _e1081));
+                                                                        let _e1347 = select(_e1073, _e1345, (_e1345 > _e1073));
+                                                                        if (_e1347 >= _e744) {
+                                                                            let _e1349 = (_e1347 <= _e832.member_1);
+                                                                            if _e1349 {
+                                                                                let _e1350 = (1f / _e1000);
+                                                                                phi_2460_ = type_27(_e1347, (_e994 * _e1350), (_e998 * _e1350), _e861);
                                                                             } else {
                                                                                 phi_2460_ = type_27();
                                                                             }
-                                                                            let _e1720 = phi_2460_;
-                                                                            phi_2462_ = _e1720;
-                                                                            phi_2463_ = select(true, false, _e1714);
+                                                                            let _e1355 = phi_2460_;
+                                                                            phi_2462_ = _e1355;
+                                                                            phi_2463_ = select(true, false, _e1349);
                                                                         } else {
                                                                             phi_2462_ = type_27();
                                                                             phi_2463_ = true;
                                                                         }
-                                                                        let _e1723 = phi_2462_;
-                                                                        let _e1725 = phi_2463_;
-                                                                        if _e1725 {
+                                                                        let _e1358 = phi_2462_;
+                                                                        let _e1360 = phi_2463_;
+                                                                        if _e1360 {
                                                                             phi_2467_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2467_ = _e1723;
+                                                                            phi_2467_ = _e1358;
                                                                         }
-                                                                        let _e1727 = phi_2467_;
-                                                                        phi_2468_ = _e1727;
+                                                                        let _e1362 = phi_2467_;
+                                                                        phi_2468_ = _e1362;
                                                                     }
-                                                                    let _e1729 = phi_2468_;
-                                                                    phi_2469_ = _e1729;
-                                                                    phi_2470_ = _e1455;
+                                                                    let _e1364 = phi_2468_;
+                                                                    phi_2469_ = _e1364;
+                                                                    phi_2470_ = _e1090;
                                                                 }
-                                                                let _e1731 = phi_2469_;
-                                                                let _e1733 = phi_2470_;
-                                                                phi_2474_ = _e1731;
-                                                                phi_2475_ = _e1733;
+                                                                let _e1366 = phi_2469_;
+                                                                let _e1368 = phi_2470_;
+                                                                phi_2474_ = _e1366;
+                                                                phi_2475_ = _e1368;
                                                             }
-                                                            let _e1735 = phi_2474_;
-                                                            let _e1737 = phi_2475_;
-                                                            phi_2476_ = _e1735;
-                                                            phi_2477_ = _e1390;
-                                                            phi_2478_ = _e1737;
+                                                            let _e1370 = phi_2474_;
+                                                            let _e1372 = phi_2475_;
+                                                            phi_2476_ = _e1370;
+                                                            phi_2477_ = _e1025;
+                                                            phi_2478_ = _e1372;
                                                         }
-                                                        let _e1739 = phi_2476_;
-                                                        let _e1741 = phi_2477_;
-                                                        let _e1743 = phi_2478_;
-                                                        phi_2479_ = _e1739;
-                                                        phi_2480_ = _e1741;
-                                                        phi_2481_ = _e1743;
+                                                        let _e1374 = phi_2476_;
+                                                        let _e1376 = phi_2477_;
+                                                        let _e1378 = phi_2478_;
+                                                        phi_2479_ = _e1374;
+                                                        phi_2480_ = _e1376;
+                                                        phi_2481_ = _e1378;
                                                     }
-                                                    let _e1745 = phi_2479_;
-                                                    let _e1747 = phi_2480_;
-                                                    let _e1749 = phi_2481_;
-                                                    phi_2489_ = _e1745;
-                                                    phi_2490_ = select(_e1749, true, _e1747);
+                                                    let _e1380 = phi_2479_;
+                                                    let _e1382 = phi_2480_;
+                                                    let _e1384 = phi_2481_;
+                                                    phi_2489_ = _e1380;
+                                                    phi_2490_ = select(_e1384, true, _e1382);
                                                 } else {
                                                     phi_2489_ = type_27();
                                                     phi_2490_ = true;
                                                 }
-                                                let _e1752 = phi_2489_;
-                                                let _e1754 = phi_2490_;
-                                                if _e1754 {
+                                                let _e1387 = phi_2489_;
+                                                let _e1389 = phi_2490_;
+                                                if _e1389 {
                                                     phi_2494_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2494_ = _e1752;
+                                                    phi_2494_ = _e1387;
                                                 }
-                                                let _e1756 = phi_2494_;
-                                                if (_e1756.member_3 != 4294967295u) {
-                                                    if (_e1226 == _e157) {
+                                                let _e1391 = phi_2494_;
+                                                if (_e1391.member_3 != 4294967295u) {
+                                                    if (_e861 == _e157) {
                                                         phi_2829_ = false;
                                                     } else {
-                                                        let _e1760 = (_e1226 < arrayLength((&global_5.member)));
-                                                        if _e1760 {
-                                                            if _e1760 {
+                                                        let _e1395 = (_e861 < arrayLength((&global_5.member)));
+                                                        if _e1395 {
+                                                            if _e1395 {
                                                             } else {
-                                                                phi_4155_ = true;
+                                                                phi_4159_ = true;
                                                                 break;
                                                             }
-                                                            let _e1762 = global_5.member[_e1226];
-                                                            phi_2517_ = _e1762;
+                                                            let _e1397 = global_5.member[_e861];
+                                                            phi_2517_ = _e1397;
                                                         } else {
                                                             phi_2517_ = 4294967295u;
                                                         }
-                                                        let _e1764 = phi_2517_;
-                                                        let _e1765 = (_e1764 < arrayLength((&global_6.member)));
-                                                        if _e1765 {
-                                                            if _e1765 {
+                                                        let _e1399 = phi_2517_;
+                                                        let _e1400 = (_e1399 < arrayLength((&global_6.member)));
+                                                        if _e1400 {
+                                                            if _e1400 {
                                                             } else {
-                                                                phi_4155_ = true;
+                                                                phi_4159_ = true;
                                                                 break;
                                                             }
-                                                            let _e1767 = global_6.member[_e1764];
-                                                            phi_2531_ = _e1767;
+                                                            let _e1402 = global_6.member[_e1399];
+                                                            phi_2531_ = _e1402;
                                                         } else {
                                                             phi_2531_ = 0i;
                                                         }
-                                                        let _e1769 = phi_2531_;
-                                                        let _e1770 = (_e1769 == 0i);
-                                                        if _e1770 {
+                                                        let _e1404 = phi_2531_;
+                                                        let _e1405 = (_e1404 == 0i);
+                                                        if _e1405 {
                                                             phi_2828_ = true;
                                                         } else {
                                                             if _e435 {
-                                                                phi_2554_ = vec3<f32>(_e1293[0][0], _e1293[0][1], _e1293[0][2]);
+                                                                phi_2554_ = vec3<f32>(_e928[0][0], _e928[0][1], _e928[0][2]);
                                                             } else {
                                                                 if (_e411 == 1u) {
-                                                                    phi_2553_ = vec3<f32>(_e1293[0][2], _e1293[0][0], _e1293[0][1]);
+                                                                    phi_2553_ = vec3<f32>(_e928[0][2], _e928[0][0], _e928[0][1]);
                                                                 } else {
-                                                                    phi_2553_ = vec3<f32>(_e1293[0][1], _e1293[0][2], _e1293[0][0]);
+                                                                    phi_2553_ = vec3<f32>(_e928[0][1], _e928[0][2], _e928[0][0]);
                                                                 }
-                                                                let _e1775 = phi_2553_;
-                                                                phi_2554_ = _e1775;
+                                                                let _e1410 = phi_2553_;
+                                                                phi_2554_ = _e1410;
                                                             }
-                                                            let _e1778 = phi_2554_;
+                                                            let _e1413 = phi_2554_;
                                                             if _e435 {
-                                                                phi_2573_ = vec3<f32>(_e1293[1][0], _e1293[1][1], _e1293[1][2]);
+                                                                phi_2573_ = vec3<f32>(_e928[1][0], _e928[1][1], _e928[1][2]);
                                                             } else {
                                                                 if (_e411 == 1u) {
-                                                                    phi_2572_ = vec3<f32>(_e1293[1][2], _e1293[1][0], _e1293[1][1]);
+                                                                    phi_2572_ = vec3<f32>(_e928[1][2], _e928[1][0], _e928[1][1]);
                                                                 } else {
-                                                                    phi_2572_ = vec3<f32>(_e1293[1][1], _e1293[1][2], _e1293[1][0]);
+                                                                    phi_2572_ = vec3<f32>(_e928[1][1], _e928[1][2], _e928[1][0]);
                                                                 }
-                                                                let _e1783 = phi_2572_;
-                                                                phi_2573_ = _e1783;
+                                                                let _e1418 = phi_2572_;
+                                                                phi_2573_ = _e1418;
                                                             }
-                                                            let _e1786 = phi_2573_;
+                                                            let _e1421 = phi_2573_;
                                                             if _e435 {
-                                                                phi_2592_ = vec3<f32>(_e1293[2][0], _e1293[2][1], _e1293[2][2]);
+                                                                phi_2592_ = vec3<f32>(_e928[2][0], _e928[2][1], _e928[2][2]);
                                                             } else {
                                                                 if (_e411 == 1u) {
-                                                                    phi_2591_ = vec3<f32>(_e1293[2][2], _e1293[2][0], _e1293[2][1]);
+                                                                    phi_2591_ = vec3<f32>(_e928[2][2], _e928[2][0], _e928[2][1]);
                                                                 } else {
-                                                                    phi_2591_ = vec3<f32>(_e1293[2][1], _e1293[2][2], _e1293[2][0]);
+                                                                    phi_2591_ = vec3<f32>(_e928[2][1], _e928[2][2], _e928[2][0]);
                                                                 }
-                                                                let _e1791 = phi_2591_;
-                                                                phi_2592_ = _e1791;
+                                                                let _e1426 = phi_2591_;
+                                                                phi_2592_ = _e1426;
                                                             }
-                                                            let _e1794 = phi_2592_;
-                                                            let _e1797 = (_e1786.x - _e1778.x);
-                                                            let _e1800 = (_e1786.y - _e1778.y);
-                                                            let _e1803 = (_e1786.z - _e1778.z);
-                                                            let _e1805 = (_e1794.x - _e1778.x);
-                                                            let _e1807 = (_e1794.y - _e1778.y);
-                                                            let _e1809 = (_e1794.z - _e1778.z);
+                                                            let _e1429 = phi_2592_;
+                                                            let _e1432 = (_e1421.x - _e1413.x);
+                                                            let _e1435 = (_e1421.y - _e1413.y);
+                                                            let _e1438 = (_e1421.z - _e1413.z);
+                                                            let _e1440 = (_e1429.x - _e1413.x);
+                                                            let _e1442 = (_e1429.y - _e1413.y);
+                                                            let _e1444 = (_e1429.z - _e1413.z);
                                                             if (_e289.member_1 == 1u) {
-                                                                phi_2628_ = (vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]) - _e1778);
+                                                                phi_2628_ = (vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]) - _e1413);
                                                             } else {
                                                                 phi_2628_ = vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]);
                                                             }
-                                                            let _e1824 = phi_2628_;
-                                                            let _e1830 = bitcast<f32>((bitcast<u32>((_e1797 * _e1807)) ^ _e289.member_3[0]));
-                                                            let _e1834 = bitcast<f32>((bitcast<u32>((_e1800 * _e1805)) ^ _e289.member_3[0]));
-                                                            let _e1838 = bitcast<f32>((bitcast<u32>((_e1800 * _e1809)) ^ _e289.member_3[0]));
-                                                            let _e1842 = bitcast<f32>((bitcast<u32>((_e1803 * _e1807)) ^ _e289.member_3[0]));
-                                                            let _e1846 = bitcast<f32>((bitcast<u32>((_e1803 * _e1805)) ^ _e289.member_3[0]));
-                                                            let _e1850 = bitcast<f32>((bitcast<u32>((_e1797 * _e1809)) ^ _e289.member_3[0]));
-                                                            let _e1851 = (_e1838 - _e1842);
-                                                            let _e1852 = (_e1846 - _e1850);
-                                                            let _e1853 = (_e1830 - _e1834);
-                                                            let _e1877 = (bitcast<f32>((bitcast<u32>(_e1838) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1842) & 2147483647u)));
-                                                            let _e1884 = (bitcast<f32>((bitcast<u32>(_e1846) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1850) & 2147483647u)));
-                                                            let _e1891 = (bitcast<f32>((bitcast<u32>(_e1830) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1834) & 2147483647u)));
+                                                            let _e1459 = phi_2628_;
+                                                            let _e1465 = bitcast<f32>((bitcast<u32>((_e1432 * _e1442)) ^ _e289.member_3[0]));
+                                                            let _e1469 = bitcast<f32>((bitcast<u32>((_e1435 * _e1440)) ^ _e289.member_3[0]));
+                                                            let _e1473 = bitcast<f32>((bitcast<u32>((_e1435 * _e1444)) ^ _e289.member_3[0]));
+                                                            let _e1477 = bitcast<f32>((bitcast<u32>((_e1438 * _e1442)) ^ _e289.member_3[0]));
+                                                            let _e1481 = bitcast<f32>((bitcast<u32>((_e1438 * _e1440)) ^ _e289.member_3[0]));
+                                                            let _e1485 = bitcast<f32>((bitcast<u32>((_e1432 * _e1444)) ^ _e289.member_3[0]));
+                                                            let _e1486 = (_e1473 - _e1477);
+                                                            let _e1487 = (_e1481 - _e1485);
+                                                            let _e1488 = (_e1465 - _e1469);
+                                                            let _e1512 = (bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u)));
+                                                            let _e1519 = (bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u)));
+                                                            let _e1526 = (bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u)));
                                                             if (_e289.member_2 == 0f) {
                                                                 phi_2810_ = 0f;
                                                             } else {
-                                                                let _e1921 = bitcast<f32>((bitcast<u32>(_e1851) & 2147483647u));
-                                                                let _e1924 = bitcast<f32>((bitcast<u32>(_e1852) & 2147483647u));
-                                                                let _e1927 = bitcast<f32>((bitcast<u32>(_e1853) & 2147483647u));
-                                                                let _e1929 = select(_e1927, _e1924, (_e1924 > _e1927));
-                                                                let _e1933 = select(_e1927, _e1924, (_e1924 < _e1927));
-                                                                let _e1937 = select(_e1924, _e1921, (_e1921 < _e1924));
-                                                                let _e1939 = select(_e1924, _e1921, (_e1921 > _e1924));
-                                                                let _e1941 = select(_e1927, _e1939, (_e1939 < _e1927));
-                                                                phi_2810_ = bitcast<f32>((bitcast<u32>((_e289.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1929, _e1921, (_e1921 > _e1929)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1941, _e1937, (_e1937 > _e1941)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1933, _e1921, (_e1921 < _e1933)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1877 + _e1884) + _e1891))) ^ _e289.member_3[0]))) * 1.0000005f)) ^ _e289.member_3[0])))) ^ _e289.member_3[0]));
+                                                                let _e1556 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
+                                                                let _e1559 = bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u));
+                                                                let _e1562 = bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u));
+                                                                let _e1564 = select(_e1562, _e1559, (_e1559 > _e1562));
+                                                                let _e1568 = select(_e1562, _e1559, (_e1559 < _e1562));
+                                                                let _e1572 = select(_e1559, _e1556, (_e1556 < _e1559));
+                                                                let _e1574 = select(_e1559, _e1556, (_e1556 > _e1559));
+                                                                let _e1576 = select(_e1562, _e1574, (_e1574 < _e1562));
+                                                                phi_2810_ = bitcast<f32>((bitcast<u32>((_e289.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1564, _e1556, (_e1556 > _e1564)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1576, _e1572, (_e1572 > _e1576)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1568, _e1556, (_e1556 < _e1568)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1512 + _e1519) + _e1526))) ^ _e289.member_3[0]))) * 1.0000005f)) ^ _e289.member_3[0])))) ^ _e289.member_3[0]));
                                                             }
-                                                            let _e1968 = phi_2810_;
-                                                            phi_2828_ = (_e1770 || !(((((bitcast<f32>((bitcast<u32>((_e1824.x * _e1851)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1824.y * _e1852)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1824.z * _e1853)) ^ _e289.member_3[0]))) * f32(-(_e1769))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1824.x) & 2147483647u)) * _e1877)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1824.y) & 2147483647u)) * _e1884)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1824.z) & 2147483647u)) * _e1891)) ^ _e289.member_3[0]))))) ^ _e289.member_3[0])) + _e1968) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1603 = phi_2810_;
+                                                            phi_2828_ = (_e1405 || !(((((bitcast<f32>((bitcast<u32>((_e1459.x * _e1486)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1459.y * _e1487)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1459.z * _e1488)) ^ _e289.member_3[0]))) * f32(-(_e1404))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1459.x) & 2147483647u)) * _e1512)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1459.y) & 2147483647u)) * _e1519)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1459.z) & 2147483647u)) * _e1526)) ^ _e289.member_3[0]))))) ^ _e289.member_3[0])) + _e1603) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1982 = phi_2828_;
-                                                        phi_2829_ = _e1982;
+                                                        let _e1617 = phi_2828_;
+                                                        phi_2829_ = _e1617;
                                                     }
-                                                    let _e1984 = phi_2829_;
-                                                    if _e1984 {
-                                                        if (_e1756.member < _e1197.member.member) {
+                                                    let _e1619 = phi_2829_;
+                                                    if _e1619 {
+                                                        if (_e1391.member < _e832.member.member) {
                                                             phi_2849_ = true;
                                                         } else {
-                                                            if (_e1756.member == _e1197.member.member) {
-                                                                phi_2848_ = (_e1756.member_3 < _e1197.member.member_3);
+                                                            if (_e1391.member == _e832.member.member) {
+                                                                phi_2848_ = (_e1391.member_3 < _e832.member.member_3);
                                                             } else {
                                                                 phi_2848_ = false;
                                                             }
-                                                            let _e1994 = phi_2848_;
-                                                            phi_2849_ = _e1994;
+                                                            let _e1629 = phi_2848_;
+                                                            phi_2849_ = _e1629;
                                                         }
-                                                        let _e1996 = phi_2849_;
-                                                        if _e1996 {
-                                                            phi_2855_ = type_43(_e1756, _e1756.member);
+                                                        let _e1631 = phi_2849_;
+                                                        if _e1631 {
+                                                            phi_2855_ = type_43(_e1391, _e1391.member);
                                                         } else {
-                                                            phi_2855_ = _e1197;
+                                                            phi_2855_ = _e832;
                                                         }
-                                                        let _e1999 = phi_2855_;
-                                                        phi_2856_ = _e1999;
+                                                        let _e1634 = phi_2855_;
+                                                        phi_2856_ = _e1634;
                                                     } else {
-                                                        phi_2856_ = _e1197;
+                                                        phi_2856_ = _e832;
                                                     }
-                                                    let _e2001 = phi_2856_;
-                                                    phi_2857_ = _e2001;
+                                                    let _e1636 = phi_2856_;
+                                                    phi_2857_ = _e1636;
                                                 } else {
-                                                    phi_2857_ = _e1197;
+                                                    phi_2857_ = _e832;
                                                 }
-                                                let _e2003 = phi_2857_;
-                                                phi_1457_ = _e2003;
+                                                let _e1638 = phi_2857_;
+                                                phi_1457_ = _e1638;
                                             } else {
                                                 phi_1457_ = type_43();
                                             }
-                                            let _e2005 = phi_1457_;
+                                            let _e1640 = phi_1457_;
                                             continue;
                                             continuing {
-                                                phi_1456_ = _e2005;
-                                                phi_1459_ = _e1212;
-                                                phi_4155_ = _e776;
-                                                break if !(_e1218);
+                                                phi_1456_ = _e1640;
+                                                phi_1459_ = _e847;
+                                                phi_4159_ = _e776;
+                                                break if !(_e853);
                                             }
                                         }
-                                        let _e2008 = phi_4155_;
-                                        phi_4347_ = _e2008;
-                                        if _e2008 {
+                                        let _e1643 = phi_4159_;
+                                        phi_4351_ = _e1643;
+                                        if _e1643 {
                                             break;
                                         }
-                                        phi_4351_ = _e2008;
-                                        let _e2334 = local_11;
-                                        phi_3870_ = _e2334;
-                                        phi_3871_ = false;
-                                        phi_3872_ = _e819;
-                                        phi_3873_ = _e821;
+                                        phi_4410_ = _e1643;
+                                        let _e2326 = local_11;
+                                        phi_2858_ = _e2326;
                                     } else {
-                                        let _e830 = (_e821.member_1 < _e98);
-                                        if _e830 {
-                                            if _e830 {
+                                        phi_4410_ = _e776;
+                                        phi_2858_ = _e778;
+                                    }
+                                    let _e1645 = phi_4410_;
+                                    let _e1647 = phi_2858_;
+                                    if _e825 {
+                                        phi_3865_ = bool();
+                                        phi_3866_ = u32();
+                                        phi_3867_ = type_61();
+                                    } else {
+                                        let _e1648 = (_e821.member_1 < _e98);
+                                        if _e1648 {
+                                            if _e1648 {
                                             } else {
-                                                phi_4347_ = true;
+                                                phi_4351_ = true;
                                                 break;
                                             }
-                                            let _e832 = global_10.member[_e821.member_1];
-                                            phi_2883_ = _e832;
+                                            let _e1650 = global_10.member[_e821.member_1];
+                                            phi_2879_ = _e1650;
                                         } else {
-                                            phi_2883_ = type_54(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2879_ = type_54(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e834 = phi_2883_;
-                                        let _e849 = ((10u * _e411) & 31u);
-                                        let _e852 = ((_e834.member[0] >> bitcast<u32>(_e849)) & 1023u);
-                                        let _e860 = bitcast<f32>((bitcast<u32>(((_e821.member.member_1[0] - _e821.member.member[0]) * 0.0009775171f)) ^ _e140));
-                                        let _e865 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e852)) - 8388608f) * _e860)) ^ _e140)));
-                                        let _e869 = select(select(_e821.member.member_1[0], _e865, (_e865 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e852 == 1023u));
-                                        let _e871 = ((10u * _e410) & 31u);
-                                        let _e874 = ((_e834.member[0] >> bitcast<u32>(_e871)) & 1023u);
-                                        let _e882 = bitcast<f32>((bitcast<u32>(((_e821.member.member_1[1] - _e821.member.member[1]) * 0.0009775171f)) ^ _e140));
-                                        let _e887 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e874)) - 8388608f) * _e882)) ^ _e140)));
-                                        let _e891 = select(select(_e821.member.member_1[1], _e887, (_e887 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e874 == 1023u));
-                                        let _e893 = ((10u * _e412) & 31u);
-                                        let _e896 = ((_e834.member[0] >> bitcast<u32>(_e893)) & 1023u);
-                                        let _e904 = bitcast<f32>((bitcast<u32>(((_e821.member.member_1[2] - _e821.member.member[2]) * 0.0009775171f)) ^ _e140));
-                                        let _e909 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e904)) ^ _e140)));
-                                        let _e913 = select(select(_e821.member.member_1[2], _e909, (_e909 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e896 == 1023u));
-                                        let _e916 = ((_e834.member[1] >> bitcast<u32>(_e849)) & 1023u);
-                                        let _e924 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e916)) - 8388608f) * _e860)) ^ _e140)));
-                                        let _e928 = select(select(_e821.member.member_1[0], _e924, (_e924 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e916 == 1023u));
-                                        let _e931 = ((_e834.member[1] >> bitcast<u32>(_e871)) & 1023u);
-                                        let _e939 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e931)) - 8388608f) * _e882)) ^ _e140)));
-                                        let _e943 = select(select(_e821.member.member_1[1], _e939, (_e939 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e931 == 1023u));
-                                        let _e946 = ((_e834.member[1] >> bitcast<u32>(_e893)) & 1023u);
-                                        let _e954 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e946)) - 8388608f) * _e904)) ^ _e140)));
-                                        let _e958 = select(select(_e821.member.member_1[2], _e954, (_e954 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e946 == 1023u));
-                                        let _e964 = ((_e834.member_1[0] >> bitcast<u32>(_e849)) & 1023u);
-                                        let _e972 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e964)) - 8388608f) * _e860)) ^ _e140)));
-                                        let _e976 = select(select(_e821.member.member_1[0], _e972, (_e972 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e964 == 1023u));
-                                        let _e979 = ((_e834.member_1[0] >> bitcast<u32>(_e871)) & 1023u);
-                                        let _e987 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e979)) - 8388608f) * _e882)) ^ _e140)));
-                                        let _e991 = select(select(_e821.member.member_1[1], _e987, (_e987 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e979 == 1023u));
-                                        let _e994 = ((_e834.member_1[0] >> bitcast<u32>(_e893)) & 1023u);
-                                        let _e1002 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e994)) - 8388608f) * _e904)) ^ _e140)));
-                                        let _e1006 = select(select(_e821.member.member_1[2], _e1002, (_e1002 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e994 == 1023u));
-                                        let _e1009 = ((_e834.member_1[1] >> bitcast<u32>(_e849)) & 1023u);
-                                        let _e1017 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1009)) - 8388608f) * _e860)) ^ _e140)));
-                                        let _e1021 = select(select(_e821.member.member_1[0], _e1017, (_e1017 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e1009 == 1023u));
-                                        let _e1024 = ((_e834.member_1[1] >> bitcast<u32>(_e871)) & 1023u);
-                                        let _e1032 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1024)) - 8388608f) * _e882)) ^ _e140)));
-                                        let _e1036 = select(select(_e821.member.member_1[1], _e1032, (_e1032 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e1024 == 1023u));
-                                        let _e1039 = ((_e834.member_1[1] >> bitcast<u32>(_e893)) & 1023u);
-                                        let _e1047 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1039)) - 8388608f) * _e904)) ^ _e140)));
-                                        let _e1051 = select(select(_e821.member.member_1[2], _e1047, (_e1047 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e1039 == 1023u));
-                                        let _e1056 = type_61(type_59(array<f32, 3>(_e869, _e891, _e913), array<f32, 3>(_e928, _e943, _e958)), _e834.member_2);
-                                        let _e1061 = type_61(type_59(array<f32, 3>(_e976, _e991, _e1006), array<f32, 3>(_e1021, _e1036, _e1051)), _e834.member_3);
-                                        let _e1067 = ((_e869 - _e496) * _e501);
-                                        let _e1068 = ((_e976 - _e496) * _e501);
-                                        let _e1069 = ((_e928 - _e497) * _e501);
-                                        let _e1070 = ((_e1021 - _e497) * _e501);
-                                        let _e1075 = ((_e891 - _e562) * _e567);
-                                        let _e1076 = ((_e991 - _e562) * _e567);
-                                        let _e1077 = ((_e943 - _e563) * _e567);
-                                        let _e1078 = ((_e1036 - _e563) * _e567);
-                                        let _e1083 = ((_e913 - _e628) * _e633);
-                                        let _e1084 = ((_e1006 - _e628) * _e633);
-                                        let _e1085 = ((_e958 - _e629) * _e633);
-                                        let _e1086 = ((_e1051 - _e629) * _e633);
-                                        let _e1088 = select(_e1085, _e1083, (_e1083 < _e1085));
-                                        let _e1090 = select(_e1086, _e1084, (_e1084 < _e1086));
-                                        let _e1092 = select(_e1085, _e1083, (_e1083 > _e1085));
-                                        let _e1094 = select(_e1086, _e1084, (_e1084 > _e1086));
-                                        let _e1096 = select(_e1069, _e1067, (_e1067 < _e1069));
-                                        let _e1098 = select(_e1070, _e1068, (_e1068 < _e1070));
-                                        let _e1100 = select(_e1077, _e1075, (_e1075 < _e1077));
-                                        let _e1102 = select(_e1078, _e1076, (_e1076 < _e1078));
-                                        let _e1104 = select(_e1100, _e1096, (_e1096 > _e1100));
-                                        let _e1106 = select(_e1102, _e1098, (_e1098 > _e1102));
-                                        let _e1108 = select(_e1088, _e1104, (_e1104 > _e1088));
-                                        let _e1110 = select(_e1090, _e1106, (_e1106 > _e1090));
-                                        let _e1112 = select(_e1069, _e1067, (_e1067 > _e1069));
-                                        let _e1114 = select(_e1070, _e1068, (_e1068 > _e1070));
-                                        let _e1116 = select(_e1077, _e1075, (_e1075 > _e1077));
-                                        let _e1118 = select(_e1078, _e1076, (_e1076 > _e1078));
-                                        let _e1120 = select(_e1116, _e1112, (_e1112 < _e1116));
-                                        let _e1122 = select(_e1118, _e1114, (_e1114 < _e1118));
-                                        let _e1127 = -(_e1088);
-                                        let _e1128 = -(_e1090);
-                                        let _e1135 = (select(_e1092, _e1120, (_e1120 < _e1092)) + (select(_e1127, _e1092, (_e1092 > _e1127)) * 0.0000019073523f));
-                                        let _e1136 = (select(_e1094, _e1122, (_e1122 < _e1094)) + (select(_e1128, _e1094, (_e1094 > _e1128)) * 0.0000019073523f));
-                                        let _e1138 = select(_e744, _e1108, (_e1108 > _e744));
-                                        let _e1140 = select(_e744, _e1110, (_e1110 > _e744));
-                                        let _e1145 = (_e1138 <= select(_e778.member_1, _e1135, (_e1135 < _e778.member_1)));
-                                        let _e1146 = (_e1140 <= select(_e778.member_1, _e1136, (_e1136 < _e778.member_1)));
-                                        let _e1147 = (_e1138 <= _e1140);
-                                        if _e1145 {
-                                            if _e1146 {
-                                                if _e1147 {
-                                                    phi_3769_ = _e1061;
+                                        let _e1652 = phi_2879_;
+                                        let _e1667 = ((10u * _e411) & 31u);
+                                        let _e1670 = ((_e1652.member[0] >> bitcast<u32>(_e1667)) & 1023u);
+                                        let _e1678 = bitcast<f32>((bitcast<u32>(((_e821.member.member_1[0] - _e821.member.member[0]) * 0.0009775171f)) ^ _e140));
+                                        let _e1683 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1670)) - 8388608f) * _e1678)) ^ _e140)));
+                                        let _e1687 = select(select(_e821.member.member_1[0], _e1683, (_e1683 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e1670 == 1023u));
+                                        let _e1689 = ((10u * _e410) & 31u);
+                                        let _e1692 = ((_e1652.member[0] >> bitcast<u32>(_e1689)) & 1023u);
+                                        let _e1700 = bitcast<f32>((bitcast<u32>(((_e821.member.member_1[1] - _e821.member.member[1]) * 0.0009775171f)) ^ _e140));
+                                        let _e1705 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1692)) - 8388608f) * _e1700)) ^ _e140)));
+                                        let _e1709 = select(select(_e821.member.member_1[1], _e1705, (_e1705 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e1692 == 1023u));
+                                        let _e1711 = ((10u * _e412) & 31u);
+                                        let _e1714 = ((_e1652.member[0] >> bitcast<u32>(_e1711)) & 1023u);
+                                        let _e1722 = bitcast<f32>((bitcast<u32>(((_e821.member.member_1[2] - _e821.member.member[2]) * 0.0009775171f)) ^ _e140));
+                                        let _e1727 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1714)) - 8388608f) * _e1722)) ^ _e140)));
+                                        let _e1731 = select(select(_e821.member.member_1[2], _e1727, (_e1727 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e1714 == 1023u));
+                                        let _e1734 = ((_e1652.member[1] >> bitcast<u32>(_e1667)) & 1023u);
+                                        let _e1742 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1734)) - 8388608f) * _e1678)) ^ _e140)));
+                                        let _e1746 = select(select(_e821.member.member_1[0], _e1742, (_e1742 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e1734 == 1023u));
+                                        let _e1749 = ((_e1652.member[1] >> bitcast<u32>(_e1689)) & 1023u);
+                                        let _e1757 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1749)) - 8388608f) * _e1700)) ^ _e140)));
+                                        let _e1761 = select(select(_e821.member.member_1[1], _e1757, (_e1757 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e1749 == 1023u));
+                                        let _e1764 = ((_e1652.member[1] >> bitcast<u32>(_e1711)) & 1023u);
+                                        let _e1772 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1764)) - 8388608f) * _e1722)) ^ _e140)));
+                                        let _e1776 = select(select(_e821.member.member_1[2], _e1772, (_e1772 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e1764 == 1023u));
+                                        let _e1782 = ((_e1652.member_1[0] >> bitcast<u32>(_e1667)) & 1023u);
+                                        let _e1790 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1782)) - 8388608f) * _e1678)) ^ _e140)));
+                                        let _e1794 = select(select(_e821.member.member_1[0], _e1790, (_e1790 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e1782 == 1023u));
+                                        let _e1797 = ((_e1652.member_1[0] >> bitcast<u32>(_e1689)) & 1023u);
+                                        let _e1805 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1797)) - 8388608f) * _e1700)) ^ _e140)));
+                                        let _e1809 = select(select(_e821.member.member_1[1], _e1805, (_e1805 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e1797 == 1023u));
+                                        let _e1812 = ((_e1652.member_1[0] >> bitcast<u32>(_e1711)) & 1023u);
+                                        let _e1820 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1812)) - 8388608f) * _e1722)) ^ _e140)));
+                                        let _e1824 = select(select(_e821.member.member_1[2], _e1820, (_e1820 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e1812 == 1023u));
+                                        let _e1827 = ((_e1652.member_1[1] >> bitcast<u32>(_e1667)) & 1023u);
+                                        let _e1835 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1827)) - 8388608f) * _e1678)) ^ _e140)));
+                                        let _e1839 = select(select(_e821.member.member_1[0], _e1835, (_e1835 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e1827 == 1023u));
+                                        let _e1842 = ((_e1652.member_1[1] >> bitcast<u32>(_e1689)) & 1023u);
+                                        let _e1850 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1842)) - 8388608f) * _e1700)) ^ _e140)));
+                                        let _e1854 = select(select(_e821.member.member_1[1], _e1850, (_e1850 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e1842 == 1023u));
+                                        let _e1857 = ((_e1652.member_1[1] >> bitcast<u32>(_e1711)) & 1023u);
+                                        let _e1865 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1857)) - 8388608f) * _e1722)) ^ _e140)));
+                                        let _e1869 = select(select(_e821.member.member_1[2], _e1865, (_e1865 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e1857 == 1023u));
+                                        let _e1874 = type_61(type_59(array<f32, 3>(_e1687, _e1709, _e1731), array<f32, 3>(_e1746, _e1761, _e1776)), _e1652.member_2);
+                                        let _e1879 = type_61(type_59(array<f32, 3>(_e1794, _e1809, _e1824), array<f32, 3>(_e1839, _e1854, _e1869)), _e1652.member_3);
+                                        let _e1885 = ((_e1687 - _e496) * _e501);
+                                        let _e1886 = ((_e1794 - _e496) * _e501);
+                                        let _e1887 = ((_e1746 - _e497) * _e501);
+                                        let _e1888 = ((_e1839 - _e497) * _e501);
+                                        let _e1893 = ((_e1709 - _e562) * _e567);
+                                        let _e1894 = ((_e1809 - _e562) * _e567);
+                                        let _e1895 = ((_e1761 - _e563) * _e567);
+                                        let _e1896 = ((_e1854 - _e563) * _e567);
+                                        let _e1901 = ((_e1731 - _e628) * _e633);
+                                        let _e1902 = ((_e1824 - _e628) * _e633);
+                                        let _e1903 = ((_e1776 - _e629) * _e633);
+                                        let _e1904 = ((_e1869 - _e629) * _e633);
+                                        let _e1906 = select(_e1903, _e1901, (_e1901 < _e1903));
+                                        let _e1908 = select(_e1904, _e1902, (_e1902 < _e1904));
+                                        let _e1910 = select(_e1903, _e1901, (_e1901 > _e1903));
+                                        let _e1912 = select(_e1904, _e1902, (_e1902 > _e1904));
+                                        let _e1914 = select(_e1887, _e1885, (_e1885 < _e1887));
+                                        let _e1916 = select(_e1888, _e1886, (_e1886 < _e1888));
+                                        let _e1918 = select(_e1895, _e1893, (_e1893 < _e1895));
+                                        let _e1920 = select(_e1896, _e1894, (_e1894 < _e1896));
+                                        let _e1922 = select(_e1918, _e1914, (_e1914 > _e1918));
+                                        let _e1924 = select(_e1920, _e1916, (_e1916 > _e1920));
+                                        let _e1926 = select(_e1906, _e1922, (_e1922 > _e1906));
+                                        let _e1928 = select(_e1908, _e1924, (_e1924 > _e1908));
+                                        let _e1930 = select(_e1887, _e1885, (_e1885 > _e1887));
+                                        let _e1932 = select(_e1888, _e1886, (_e1886 > _e1888));
+                                        let _e1934 = select(_e1895, _e1893, (_e1893 > _e1895));
+                                        let _e1936 = select(_e1896, _e1894, (_e1894 > _e1896));
+                                        let _e1938 = select(_e1934, _e1930, (_e1930 < _e1934));
+                                        let _e1940 = select(_e1936, _e1932, (_e1932 < _e1936));
+                                        let _e1945 = -(_e1906);
+                                        let _e1946 = -(_e1908);
+                                        let _e1953 = (select(_e1910, _e1938, (_e1938 < _e1910)) + (select(_e1945, _e1910, (_e1910 > _e1945)) * 0.0000019073523f));
+                                        let _e1954 = (select(_e1912, _e1940, (_e1940 < _e1912)) + (select(_e1946, _e1912, (_e1912 > _e1946)) * 0.0000019073523f));
+                                        let _e1956 = select(_e744, _e1926, (_e1926 > _e744));
+                                        let _e1958 = select(_e744, _e1928, (_e1928 > _e744));
+                                        let _e1963 = (_e1956 <= select(_e1647.member_1, _e1953, (_e1953 < _e1647.member_1)));
+                                        let _e1964 = (_e1958 <= select(_e1647.member_1, _e1954, (_e1954 < _e1647.member_1)));
+                                        let _e1965 = (_e1956 <= _e1958);
+                                        if _e1963 {
+                                            if _e1964 {
+                                                if _e1965 {
+                                                    phi_3765_ = _e1879;
                                                 } else {
-                                                    phi_3769_ = _e1056;
+                                                    phi_3765_ = _e1874;
                                                 }
-                                                let _e1149 = phi_3769_;
-                                                let _e1157 = (_e819 % 128u);
-                                                let _e1158 = (_e1157 < 128u);
-                                                if _e1158 {
+                                                let _e1967 = phi_3765_;
+                                                let _e1974 = (_e819 % 128u);
+                                                let _e1975 = (_e1974 < 128u);
+                                                if _e1975 {
                                                 } else {
-                                                    phi_4347_ = true;
+                                                    phi_4351_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1157] = _e1149.member_1;
-                                                if _e1158 {
+                                                local_6[_e1974] = _e1967.member_1;
+                                                if _e1975 {
                                                 } else {
-                                                    phi_4347_ = true;
+                                                    phi_4351_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1157] = _e1149.member.member[0];
-                                                if _e1158 {
+                                                local_5[_e1974] = _e1967.member.member[0];
+                                                if _e1975 {
                                                 } else {
-                                                    phi_4347_ = true;
+                                                    phi_4351_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1157] = _e1149.member.member[1];
-                                                if _e1158 {
+                                                local_4[_e1974] = _e1967.member.member[1];
+                                                if _e1975 {
                                                 } else {
-                                                    phi_4347_ = true;
+                                                    phi_4351_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1157] = _e1149.member.member[2];
-                                                if _e1158 {
+                                                local_3[_e1974] = _e1967.member.member[2];
+                                                if _e1975 {
                                                 } else {
-                                                    phi_4347_ = true;
+                                                    phi_4351_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1157] = _e1149.member.member_1[0];
-                                                if _e1158 {
+                                                local_2[_e1974] = _e1967.member.member_1[0];
+                                                if _e1975 {
                                                 } else {
-                                                    phi_4347_ = true;
+                                                    phi_4351_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1157] = _e1149.member.member_1[1];
-                                                if _e1158 {
+                                                local_1[_e1974] = _e1967.member.member_1[1];
+                                                if _e1975 {
                                                 } else {
-                                                    phi_4347_ = true;
+                                                    phi_4351_ = true;
                                                     break;
                                                 }
-                                                local[_e1157] = _e1149.member.member_1[2];
-                                                if _e1158 {
+                                                local[_e1974] = _e1967.member.member_1[2];
+                                                if _e1975 {
                                                 } else {
-                                                    phi_4347_ = true;
+                                                    phi_4351_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1157] = select(_e1140, _e1138, !(_e1147));
-                                                if _e1147 {
-                                                    phi_3846_ = _e1056;
+                                                local_7[_e1974] = select(_e1956, _e1958, _e1965);
+                                                if _e1965 {
+                                                    phi_3841_ = _e1874;
                                                 } else {
-                                                    phi_3846_ = _e1061;
+                                                    phi_3841_ = _e1879;
                                                 }
-                                                let _e1175 = phi_3846_;
-                                                phi_3847_ = (_e819 + 1u);
-                                                phi_3848_ = _e1175;
+                                                let _e1992 = phi_3841_;
+                                                phi_3842_ = (_e819 + 1u);
+                                                phi_3843_ = _e1992;
                                             } else {
-                                                phi_3847_ = u32();
-                                                phi_3848_ = type_61();
+                                                phi_3842_ = u32();
+                                                phi_3843_ = type_61();
                                             }
-                                            let _e1177 = phi_3847_;
-                                            let _e1179 = phi_3848_;
-                                            phi_3850_ = _e1177;
-                                            phi_3851_ = _e1179;
-                                            phi_3852_ = select(true, false, _e1146);
+                                            let _e1994 = phi_3842_;
+                                            let _e1996 = phi_3843_;
+                                            phi_3845_ = _e1994;
+                                            phi_3846_ = _e1996;
+                                            phi_3847_ = select(true, false, _e1964);
                                         } else {
-                                            phi_3850_ = u32();
-                                            phi_3851_ = type_61();
-                                            phi_3852_ = true;
+                                            phi_3845_ = u32();
+                                            phi_3846_ = type_61();
+                                            phi_3847_ = true;
                                         }
-                                        let _e1182 = phi_3850_;
-                                        let _e1184 = phi_3851_;
-                                        let _e1186 = phi_3852_;
-                                        if _e1186 {
-                                            if _e1145 {
-                                                phi_3859_ = _e1056;
+                                        let _e1999 = phi_3845_;
+                                        let _e2001 = phi_3846_;
+                                        let _e2003 = phi_3847_;
+                                        if _e2003 {
+                                            if _e1963 {
+                                                phi_3854_ = _e1874;
                                             } else {
-                                                phi_3859_ = _e1061;
+                                                phi_3854_ = _e1879;
                                             }
-                                            let _e1188 = phi_3859_;
-                                            phi_3864_ = select(_e1146, true, _e1145);
-                                            phi_3866_ = _e1188;
+                                            let _e2005 = phi_3854_;
+                                            phi_3859_ = select(_e1964, true, _e1963);
+                                            phi_3861_ = _e2005;
                                         } else {
-                                            phi_3864_ = _e817;
-                                            phi_3866_ = _e1184;
+                                            phi_3859_ = _e817;
+                                            phi_3861_ = _e2001;
                                         }
-                                        let _e1191 = phi_3864_;
-                                        let _e1193 = phi_3866_;
-                                        phi_4351_ = _e776;
-                                        phi_3870_ = _e778;
-                                        phi_3871_ = _e1191;
-                                        phi_3872_ = select(_e1182, _e819, _e1186);
-                                        phi_3873_ = _e1193;
+                                        let _e2008 = phi_3859_;
+                                        let _e2010 = phi_3861_;
+                                        phi_3865_ = _e2008;
+                                        phi_3866_ = select(_e1999, _e819, _e2003);
+                                        phi_3867_ = _e2010;
                                     }
-                                    let _e2010 = phi_4351_;
-                                    let _e2012 = phi_3870_;
-                                    let _e2014 = phi_3871_;
-                                    let _e2016 = phi_3872_;
-                                    let _e2018 = phi_3873_;
-                                    phi_4350_ = _e2010;
-                                    phi_3874_ = _e2012;
-                                    phi_3875_ = _e2014;
-                                    phi_3876_ = (_e782 - 1u);
-                                    phi_3877_ = _e2016;
-                                    phi_3878_ = _e2018;
+                                    let _e2013 = phi_3865_;
+                                    let _e2015 = phi_3866_;
+                                    let _e2017 = phi_3867_;
+                                    if _e825 {
+                                        phi_3877_ = _e821;
+                                    } else {
+                                        phi_3877_ = _e2017;
+                                    }
+                                    let _e2019 = phi_3877_;
+                                    phi_4354_ = _e1645;
+                                    phi_3878_ = _e1647;
+                                    phi_3879_ = (_e780 - 1u);
+                                    phi_3880_ = select(_e2013, false, _e825);
+                                    phi_3881_ = select(_e2015, _e819, _e825);
+                                    phi_3882_ = _e2019;
                                 } else {
-                                    phi_4350_ = _e776;
-                                    phi_3874_ = _e778;
-                                    phi_3875_ = _e817;
-                                    phi_3876_ = _e782;
-                                    phi_3877_ = _e819;
-                                    phi_3878_ = _e821;
+                                    phi_4354_ = _e776;
+                                    phi_3878_ = _e778;
+                                    phi_3879_ = _e780;
+                                    phi_3880_ = _e817;
+                                    phi_3881_ = _e819;
+                                    phi_3882_ = _e821;
                                 }
-                                let _e2020 = phi_4350_;
-                                let _e2022 = phi_3874_;
-                                let _e2024 = phi_3875_;
-                                let _e2026 = phi_3876_;
-                                let _e2028 = phi_3877_;
-                                let _e2030 = phi_3878_;
-                                phi_4349_ = _e2020;
-                                phi_3879_ = _e2022;
-                                phi_3880_ = _e2024;
-                                phi_3881_ = _e2026;
-                                phi_3882_ = _e2028;
-                                phi_3883_ = _e2030;
+                                let _e2023 = phi_4354_;
+                                let _e2025 = phi_3878_;
+                                let _e2027 = phi_3879_;
+                                let _e2029 = phi_3880_;
+                                let _e2031 = phi_3881_;
+                                let _e2033 = phi_3882_;
+                                phi_4353_ = _e2023;
+                                phi_3883_ = _e2025;
+                                phi_3884_ = _e2027;
+                                phi_3885_ = _e2029;
+                                phi_3886_ = _e2031;
+                                phi_3887_ = _e2033;
                             } else {
-                                phi_4349_ = _e776;
-                                phi_3879_ = type_43();
-                                phi_3880_ = bool();
-                                phi_3881_ = u32();
-                                phi_3882_ = u32();
-                                phi_3883_ = type_61();
+                                phi_4353_ = _e776;
+                                phi_3883_ = type_43();
+                                phi_3884_ = u32();
+                                phi_3885_ = bool();
+                                phi_3886_ = u32();
+                                phi_3887_ = type_61();
                             }
-                            let _e2032 = phi_4349_;
-                            let _e2034 = phi_3879_;
-                            let _e2036 = phi_3880_;
-                            let _e2038 = phi_3881_;
-                            let _e2040 = phi_3882_;
-                            let _e2042 = phi_3883_;
-                            phi_4348_ = _e2032;
-                            phi_1331_ = _e2034;
-                            phi_1334_ = _e2036;
-                            phi_1336_ = _e2038;
-                            phi_1338_ = _e2040;
-                            phi_1340_ = _e2042;
-                            phi_3884_ = _e790;
+                            let _e2035 = phi_4353_;
+                            let _e2037 = phi_3883_;
+                            let _e2039 = phi_3884_;
+                            let _e2041 = phi_3885_;
+                            let _e2043 = phi_3886_;
+                            let _e2045 = phi_3887_;
+                            phi_4352_ = _e2035;
+                            phi_1331_ = _e2037;
+                            phi_1334_ = _e2039;
+                            phi_1336_ = _e2041;
+                            phi_1338_ = _e2043;
+                            phi_1340_ = _e2045;
+                            phi_3888_ = _e790;
                         } else {
-                            phi_4348_ = _e776;
+                            phi_4352_ = _e776;
                             phi_1331_ = type_43();
-                            phi_1334_ = bool();
-                            phi_1336_ = u32();
+                            phi_1334_ = u32();
+                            phi_1336_ = bool();
                             phi_1338_ = u32();
                             phi_1340_ = type_61();
-                            phi_3884_ = false;
+                            phi_3888_ = false;
                         }
-                        let _e2044 = phi_4348_;
-                        let _e2046 = phi_1331_;
-                        let _e2048 = phi_1334_;
-                        let _e2050 = phi_1336_;
-                        let _e2052 = phi_1338_;
-                        let _e2054 = phi_1340_;
-                        let _e2056 = phi_3884_;
+                        let _e2047 = phi_4352_;
+                        let _e2049 = phi_1331_;
+                        let _e2051 = phi_1334_;
+                        let _e2053 = phi_1336_;
+                        let _e2055 = phi_1338_;
+                        let _e2057 = phi_1340_;
+                        let _e2059 = phi_3888_;
                         continue;
                         continuing {
-                            phi_4161_ = _e2044;
-                            phi_1330_ = _e2046;
-                            phi_1333_ = _e2048;
-                            phi_1335_ = _e2050;
-                            phi_1337_ = _e2052;
-                            phi_1339_ = _e2054;
-                            phi_4347_ = _e2044;
-                            break if !(_e2056);
+                            phi_4165_ = _e2047;
+                            phi_1330_ = _e2049;
+                            phi_1333_ = _e2051;
+                            phi_1335_ = _e2053;
+                            phi_1337_ = _e2055;
+                            phi_1339_ = _e2057;
+                            phi_4351_ = _e2047;
+                            break if !(_e2059);
                         }
                     }
-                    let _e2059 = phi_4347_;
-                    if _e2059 {
+                    let _e2062 = phi_4351_;
+                    if _e2062 {
                         break;
                     }
-                    let _e2061 = local_10;
-                    if (_e2061.member.member_3 != 4294967295u) {
-                        let _e2066 = bitcast<u32>(_e2061.member.member);
-                        let _e2070 = (bitcast<i32>((_e2066 >> bitcast<u32>(23i))) & 255i);
-                        let _e2071 = (_e2070 + _e413);
-                        if (_e2070 == 255i) {
-                            phi_3943_ = _e2061.member.member;
+                    let _e2064 = local_10;
+                    if (_e2064.member.member_3 != 4294967295u) {
+                        let _e2069 = bitcast<u32>(_e2064.member.member);
+                        let _e2073 = (bitcast<i32>((_e2069 >> bitcast<u32>(23i))) & 255i);
+                        let _e2074 = (_e2073 + _e413);
+                        if (_e2073 == 255i) {
+                            phi_3947_ = _e2064.member.member;
                         } else {
-                            if (_e2070 > 0i) {
-                                if (_e2071 > 0i) {
-                                    let _e2075 = (_e2071 < 255i);
-                                    if _e2075 {
-                                        phi_3922_ = bitcast<f32>((_e2066 + bitcast<u32>((_e413 << bitcast<u32>(23i)))));
+                            if (_e2073 > 0i) {
+                                if (_e2074 > 0i) {
+                                    let _e2078 = (_e2074 < 255i);
+                                    if _e2078 {
+                                        phi_3926_ = bitcast<f32>((_e2069 + bitcast<u32>((_e413 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3922_ = f32();
+                                        phi_3926_ = f32();
                                     }
-                                    let _e2082 = phi_3922_;
-                                    phi_3924_ = _e2082;
-                                    phi_3925_ = select(true, false, _e2075);
+                                    let _e2085 = phi_3926_;
+                                    phi_3928_ = _e2085;
+                                    phi_3929_ = select(true, false, _e2078);
                                 } else {
-                                    phi_3924_ = f32();
-                                    phi_3925_ = true;
+                                    phi_3928_ = f32();
+                                    phi_3929_ = true;
                                 }
-                                let _e2085 = phi_3924_;
-                                let _e2087 = phi_3925_;
-                                phi_3926_ = _e2085;
-                                phi_3927_ = _e2087;
+                                let _e2088 = phi_3928_;
+                                let _e2090 = phi_3929_;
+                                phi_3930_ = _e2088;
+                                phi_3931_ = _e2090;
                             } else {
-                                phi_3926_ = f32();
-                                phi_3927_ = true;
+                                phi_3930_ = f32();
+                                phi_3931_ = true;
                             }
-                            let _e2089 = phi_3926_;
-                            let _e2091 = phi_3927_;
-                            if _e2091 {
-                                let _e2092 = (_e2066 & 2147483648u);
-                                let _e2099 = ((_e2066 & 8388607u) | (select(0u, 1u, ((_e2066 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2103 = (_e2099 == 0u);
-                                if _e2103 {
-                                    phi_4125_ = bitcast<f32>(_e2092);
+                            let _e2092 = phi_3930_;
+                            let _e2094 = phi_3931_;
+                            if _e2094 {
+                                let _e2095 = (_e2069 & 2147483648u);
+                                let _e2102 = ((_e2069 & 8388607u) | (select(0u, 1u, ((_e2069 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2106 = (_e2102 == 0u);
+                                if _e2106 {
+                                    phi_4129_ = bitcast<f32>(_e2095);
                                 } else {
-                                    let _e2108 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2099)), 32u, _e2103) - 8u);
-                                    let _e2111 = (_e2099 << bitcast<u32>((_e2108 & 31u)));
-                                    let _e2113 = ((_e2071 + select(0i, 1i, (_e2070 == 0i))) - bitcast<i32>(_e2108));
-                                    if (_e2113 >= 255i) {
-                                        phi_4115_ = bitcast<f32>((_e2092 | 2139095040u));
-                                        phi_4116_ = f32();
-                                        phi_4117_ = true;
+                                    let _e2111 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2102)), 32u, _e2106) - 8u);
+                                    let _e2114 = (_e2102 << bitcast<u32>((_e2111 & 31u)));
+                                    let _e2116 = ((_e2074 + select(0i, 1i, (_e2073 == 0i))) - bitcast<i32>(_e2111));
+                                    if (_e2116 >= 255i) {
+                                        phi_4119_ = bitcast<f32>((_e2095 | 2139095040u));
+                                        phi_4120_ = f32();
+                                        phi_4121_ = true;
                                     } else {
-                                        let _e2115 = (_e2113 > 0i);
-                                        if _e2115 {
-                                            phi_4109_ = bitcast<f32>(((_e2092 | (bitcast<u32>(_e2113) << bitcast<u32>(23i))) | (_e2111 & 8388607u)));
-                                            phi_4110_ = f32();
+                                        let _e2118 = (_e2116 > 0i);
+                                        if _e2118 {
+                                            phi_4113_ = bitcast<f32>(((_e2095 | (bitcast<u32>(_e2116) << bitcast<u32>(23i))) | (_e2114 & 8388607u)));
+                                            phi_4114_ = f32();
                                         } else {
-                                            if (_e2113 < -24i) {
-                                                phi_4075_ = 26u;
+                                            if (_e2116 < -24i) {
+                                                phi_4079_ = 26u;
                                             } else {
-                                                phi_4075_ = bitcast<u32>((1i - _e2113));
+                                                phi_4079_ = bitcast<u32>((1i - _e2116));
                                             }
-                                            let _e2120 = phi_4075_;
-                                            let _e2121 = (_e2120 & 31u);
-                                            let _e2123 = (_e2111 >> bitcast<u32>(_e2121));
-                                            let _e2127 = (_e2111 & ((1u << bitcast<u32>(_e2121)) - 1u));
-                                            let _e2131 = (1u << bitcast<u32>(((_e2120 - 1u) & 31u)));
-                                            if (_e2127 > _e2131) {
-                                                phi_4096_ = true;
+                                            let _e2123 = phi_4079_;
+                                            let _e2124 = (_e2123 & 31u);
+                                            let _e2126 = (_e2114 >> bitcast<u32>(_e2124));
+                                            let _e2130 = (_e2114 & ((1u << bitcast<u32>(_e2124)) - 1u));
+                                            let _e2134 = (1u << bitcast<u32>(((_e2123 - 1u) & 31u)));
+                                            if (_e2130 > _e2134) {
+                                                phi_4100_ = true;
                                             } else {
-                                                if (_e2127 == _e2131) {
-                                                    phi_4093_ = ((_e2123 & 1u) == 1u);
+                                                if (_e2130 == _e2134) {
+                                                    phi_4097_ = ((_e2126 & 1u) == 1u);
                                                 } else {
-                                                    phi_4093_ = false;
+                                                    phi_4097_ = false;
                                                 }
-                                                let _e2137 = phi_4093_;
-                                                phi_4096_ = _e2137;
+                                                let _e2140 = phi_4097_;
+                                                phi_4100_ = _e2140;
                                             }
-                                            let _e2139 = phi_4096_;
-                                            phi_4109_ = f32();
-                                            phi_4110_ = bitcast<f32>((_e2092 | (_e2123 + select(0u, 1u, _e2139))));
+                                            let _e2142 = phi_4100_;
+                                            phi_4113_ = f32();
+                                            phi_4114_ = bitcast<f32>((_e2095 | (_e2126 + select(0u, 1u, _e2142))));
                                         }
-                                        let _e2152 = phi_4109_;
-                                        let _e2154 = phi_4110_;
-                                        phi_4115_ = _e2152;
-                                        phi_4116_ = _e2154;
-                                        phi_4117_ = _e2115;
+                                        let _e2155 = phi_4113_;
+                                        let _e2157 = phi_4114_;
+                                        phi_4119_ = _e2155;
+                                        phi_4120_ = _e2157;
+                                        phi_4121_ = _e2118;
                                     }
-                                    let _e2158 = phi_4115_;
-                                    let _e2160 = phi_4116_;
-                                    let _e2162 = phi_4117_;
-                                    phi_4125_ = select(_e2160, _e2158, _e2162);
+                                    let _e2161 = phi_4119_;
+                                    let _e2163 = phi_4120_;
+                                    let _e2165 = phi_4121_;
+                                    phi_4129_ = select(_e2163, _e2161, _e2165);
                                 }
-                                let _e2166 = phi_4125_;
-                                phi_3942_ = _e2166;
+                                let _e2169 = phi_4129_;
+                                phi_3946_ = _e2169;
                             } else {
-                                phi_3942_ = _e2089;
+                                phi_3946_ = _e2092;
                             }
-                            let _e2168 = phi_3942_;
-                            phi_3943_ = _e2168;
+                            let _e2171 = phi_3946_;
+                            phi_3947_ = _e2171;
                         }
-                        let _e2170 = phi_3943_;
-                        let _e2171 = bitcast<u32>(_e2170);
-                        if ((_e2171 & 2147483647u) >= 2139095040u) {
-                            phi_3955_ = bitcast<f32>(((_e2171 & 2147483648u) | 2139095039u));
+                        let _e2173 = phi_3947_;
+                        let _e2174 = bitcast<u32>(_e2173);
+                        if ((_e2174 & 2147483647u) >= 2139095040u) {
+                            phi_3959_ = bitcast<f32>(((_e2174 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3955_ = _e2170;
+                            phi_3959_ = _e2173;
                         }
-                        let _e2178 = phi_3955_;
-                        phi_3960_ = type_27(_e2178, _e2061.member.member_1, _e2061.member.member_2, _e2061.member.member_3);
+                        let _e2181 = phi_3959_;
+                        phi_3964_ = type_27(_e2181, _e2064.member.member_1, _e2064.member.member_2, _e2064.member.member_3);
                     } else {
-                        phi_3960_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3964_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2183 = phi_3960_;
+                    let _e2186 = phi_3964_;
                     if _e290 {
                     } else {
                         break;
                     }
-                    global_8.member[_e144] = _e2183;
+                    global_8.member[_e144] = _e2186;
                     if _e151 {
                     } else {
                         break;
                     }
-                    let _e2187 = select(0u, 1u, (_e357 <= _e367));
-                    if (_e2187 > 0u) {
-                        let _e2189 = (1u < _e112);
-                        if _e2189 {
+                    let _e2190 = select(0u, 1u, (_e357 <= _e367));
+                    if (_e2190 > 0u) {
+                        let _e2192 = (1u < _e112);
+                        if _e2192 {
                             if (0u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e2193 = atomicAdd((&global_9.member[0u]), _e2187);
-                            if ((_e2193 + _e2187) < _e2193) {
-                                if _e2189 {
+                            let _e2196 = atomicAdd((&global_9.member[0u]), _e2190);
+                            if ((_e2196 + _e2190) < _e2196) {
+                                if _e2192 {
                                 } else {
                                     break;
                                 }
-                                let _e2198 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2201 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2201 = select(0u, 1u, (_e2183.member_3 != 4294967295u));
-                    if (_e2201 > 0u) {
-                        let _e2203 = (3u < _e112);
-                        if _e2203 {
+                    let _e2204 = select(0u, 1u, (_e2186.member_3 != 4294967295u));
+                    if (_e2204 > 0u) {
+                        let _e2206 = (3u < _e112);
+                        if _e2206 {
                             if (2u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e2207 = atomicAdd((&global_9.member[2u]), _e2201);
-                            if ((_e2207 + _e2201) < _e2207) {
-                                if _e2203 {
+                            let _e2210 = atomicAdd((&global_9.member[2u]), _e2204);
+                            if ((_e2210 + _e2204) < _e2210) {
+                                if _e2206 {
                                 } else {
                                     break;
                                 }
-                                let _e2212 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2215 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

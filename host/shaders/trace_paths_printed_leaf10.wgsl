@@ -165,27 +165,16 @@ fn function_() {
     var phi_1241_: u32;
     var phi_1249_: f32;
     var phi_1250_: f32;
-    var phi_4343_: bool;
+    var phi_4347_: bool;
     var phi_1333_: type_38;
-    var phi_1336_: bool;
-    var phi_1338_: u32;
+    var phi_1336_: u32;
+    var phi_1338_: bool;
     var phi_1340_: u32;
     var phi_1342_: type_61;
     var phi_1353_: bool;
     var phi_1439_: bool;
     var phi_1440_: u32;
     var phi_1441_: type_61;
-    var phi_3065_: type_48;
-    var phi_3951_: type_61;
-    var phi_4028_: type_61;
-    var phi_4029_: u32;
-    var phi_4030_: type_61;
-    var phi_4032_: u32;
-    var phi_4033_: type_61;
-    var phi_4034_: bool;
-    var phi_4041_: type_61;
-    var phi_4046_: bool;
-    var phi_4048_: type_61;
     var phi_1460_: type_38;
     var phi_1463_: type_8;
     var phi_1464_: type_8;
@@ -245,51 +234,63 @@ fn function_() {
     var phi_3038_: type_38;
     var phi_3039_: type_38;
     var phi_1461_: type_38;
-    var phi_4337_: bool;
-    var phi_4551_: bool;
-    var phi_4052_: type_38;
-    var phi_4053_: bool;
-    var phi_4054_: u32;
-    var phi_4055_: type_61;
-    var phi_4550_: bool;
-    var phi_4056_: type_38;
-    var phi_4057_: bool;
-    var phi_4058_: u32;
-    var phi_4059_: u32;
-    var phi_4060_: type_61;
-    var phi_4549_: bool;
-    var phi_4061_: type_38;
+    var phi_4341_: bool;
+    var phi_4610_: bool;
+    var phi_3040_: type_38;
+    var phi_3061_: type_48;
+    var phi_3947_: type_61;
+    var phi_4023_: type_61;
+    var phi_4024_: u32;
+    var phi_4025_: type_61;
+    var phi_4027_: u32;
+    var phi_4028_: type_61;
+    var phi_4029_: bool;
+    var phi_4036_: type_61;
+    var phi_4041_: bool;
+    var phi_4043_: type_61;
+    var phi_4047_: bool;
+    var phi_4048_: u32;
+    var phi_4049_: type_61;
+    var phi_4059_: type_61;
+    var phi_4554_: bool;
+    var phi_4060_: type_38;
+    var phi_4061_: u32;
     var phi_4062_: bool;
     var phi_4063_: u32;
-    var phi_4064_: u32;
-    var phi_4065_: type_61;
-    var phi_4548_: bool;
+    var phi_4064_: type_61;
+    var phi_4553_: bool;
+    var phi_4065_: type_38;
+    var phi_4066_: u32;
+    var phi_4067_: bool;
+    var phi_4068_: u32;
+    var phi_4069_: type_61;
+    var phi_4552_: bool;
     var phi_1334_: type_38;
-    var phi_1337_: bool;
-    var phi_1339_: u32;
+    var phi_1337_: u32;
+    var phi_1339_: bool;
     var phi_1341_: u32;
     var phi_1343_: type_61;
-    var phi_4066_: bool;
-    var phi_4547_: bool;
+    var phi_4070_: bool;
+    var phi_4551_: bool;
     var local_10: type_38;
-    var phi_4104_: f32;
-    var phi_4106_: f32;
-    var phi_4107_: bool;
     var phi_4108_: f32;
-    var phi_4109_: bool;
-    var phi_4257_: u32;
-    var phi_4275_: bool;
-    var phi_4278_: bool;
-    var phi_4291_: f32;
-    var phi_4292_: f32;
-    var phi_4297_: f32;
-    var phi_4298_: f32;
-    var phi_4299_: bool;
-    var phi_4307_: f32;
-    var phi_4124_: f32;
-    var phi_4125_: f32;
-    var phi_4137_: f32;
-    var phi_4142_: type_22;
+    var phi_4110_: f32;
+    var phi_4111_: bool;
+    var phi_4112_: f32;
+    var phi_4113_: bool;
+    var phi_4261_: u32;
+    var phi_4279_: bool;
+    var phi_4282_: bool;
+    var phi_4295_: f32;
+    var phi_4296_: f32;
+    var phi_4301_: f32;
+    var phi_4302_: f32;
+    var phi_4303_: bool;
+    var phi_4311_: f32;
+    var phi_4128_: f32;
+    var phi_4129_: f32;
+    var phi_4141_: f32;
+    var phi_4146_: type_22;
     var local_11: type_38;
 
     switch bitcast<i32>(0u) {
@@ -690,31 +691,31 @@ fn function_() {
                         break;
                     }
                     let _e767 = local_8[_e756];
-                    phi_4343_ = false;
+                    phi_4347_ = false;
                     phi_1333_ = type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e741);
-                    phi_1336_ = (_e743 <= _e741);
-                    phi_1338_ = ((3u * _e96) + 1u);
+                    phi_1336_ = ((3u * _e96) + 1u);
+                    phi_1338_ = (_e743 <= _e741);
                     phi_1340_ = 0u;
                     phi_1342_ = type_61(type_53(array<f32, 3>(_e751, _e755, _e759), array<f32, 3>(_e763, _e765, _e767)), select(0u, 2147483648u, (_e96 == 0u)));
                     loop {
-                        let _e775 = phi_4343_;
+                        let _e775 = phi_4347_;
                         let _e777 = phi_1333_;
                         let _e779 = phi_1336_;
                         let _e781 = phi_1338_;
                         let _e783 = phi_1340_;
                         let _e785 = phi_1342_;
                         local_10 = _e777;
-                        if _e779 {
+                        if _e781 {
                             phi_1353_ = true;
                         } else {
                             phi_1353_ = (_e783 > 0u);
                         }
                         let _e788 = phi_1353_;
                         if _e788 {
-                            let _e789 = (_e781 > 0u);
+                            let _e789 = (_e779 > 0u);
                             if _e789 {
-                                if _e779 {
-                                    phi_1439_ = _e779;
+                                if _e781 {
+                                    phi_1439_ = _e781;
                                     phi_1440_ = _e783;
                                     phi_1441_ = _e785;
                                 } else {
@@ -723,49 +724,49 @@ fn function_() {
                                     let _e792 = (_e791 < 128u);
                                     if _e792 {
                                     } else {
-                                        phi_4547_ = true;
+                                        phi_4551_ = true;
                                         break;
                                     }
                                     let _e794 = local_6[_e791];
                                     if _e792 {
                                     } else {
-                                        phi_4547_ = true;
+                                        phi_4551_ = true;
                                         break;
                                     }
                                     let _e796 = local_5[_e791];
                                     if _e792 {
                                     } else {
-                                        phi_4547_ = true;
+                                        phi_4551_ = true;
                                         break;
                                     }
                                     let _e798 = local_4[_e791];
                                     if _e792 {
                                     } else {
-                                        phi_4547_ = true;
+                                        phi_4551_ = true;
                                         break;
                                     }
                                     let _e800 = local_3[_e791];
                                     if _e792 {
                                     } else {
-                                        phi_4547_ = true;
+                                        phi_4551_ = true;
                                         break;
                                     }
                                     let _e803 = local_2[_e791];
                                     if _e792 {
                                     } else {
-                                        phi_4547_ = true;
+                                        phi_4551_ = true;
                                         break;
                                     }
                                     let _e805 = local_1[_e791];
                                     if _e792 {
                                     } else {
-                                        phi_4547_ = true;
+                                        phi_4551_ = true;
                                         break;
                                     }
                                     let _e807 = local[_e791];
                                     if _e792 {
                                     } else {
-                                        phi_4547_ = true;
+                                        phi_4551_ = true;
                                         break;
                                     }
                                     let _e812 = local_7[_e791];
@@ -777,973 +778,983 @@ fn function_() {
                                 let _e818 = phi_1440_;
                                 let _e820 = phi_1441_;
                                 if _e816 {
-                                    if ((_e820.member_1 & 2147483648u) != 0u) {
+                                    let _e824 = ((_e820.member_1 & 2147483648u) != 0u);
+                                    if _e824 {
                                         phi_1460_ = _e777;
                                         phi_1463_ = type_8(0u, ((_e820.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1197 = phi_1460_;
-                                            let _e1199 = phi_1463_;
-                                            local_11 = _e1197;
-                                            if (_e1199.member < _e1199.member_1) {
-                                                phi_1464_ = type_8((_e1199.member + 1u), _e1199.member_1);
-                                                phi_1486_ = type_8(1u, _e1199.member);
+                                            let _e832 = phi_1460_;
+                                            let _e834 = phi_1463_;
+                                            local_11 = _e832;
+                                            if (_e834.member < _e834.member_1) {
+                                                phi_1464_ = type_8((_e834.member + 1u), _e834.member_1);
+                                                phi_1486_ = type_8(1u, _e834.member);
                                             } else {
-                                                phi_1464_ = _e1199;
+                                                phi_1464_ = _e834;
                                                 phi_1486_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1212 = phi_1464_;
-                                            let _e1214 = phi_1486_;
-                                            let _e1218 = (bitcast<i32>(_e1214.member) != 0i);
-                                            if _e1218 {
-                                                let _e1219 = ((_e820.member_1 & 268435455u) + _e1214.member_1);
-                                                let _e1220 = (_e1219 < arrayLength((&global_10.member)));
-                                                if _e1220 {
-                                                    if _e1220 {
+                                            let _e847 = phi_1464_;
+                                            let _e849 = phi_1486_;
+                                            let _e853 = (bitcast<i32>(_e849.member) != 0i);
+                                            if _e853 {
+                                                let _e854 = ((_e820.member_1 & 268435455u) + _e849.member_1);
+                                                let _e855 = (_e854 < arrayLength((&global_10.member)));
+                                                if _e855 {
+                                                    if _e855 {
                                                     } else {
-                                                        phi_4337_ = true;
+                                                        phi_4341_ = true;
                                                         break;
                                                     }
-                                                    let _e1223 = global_10.member[_e1219].member_1;
-                                                    phi_1511_ = _e1223;
+                                                    let _e858 = global_10.member[_e854].member_1;
+                                                    phi_1511_ = _e858;
                                                 } else {
                                                     phi_1511_ = 4294967295u;
                                                 }
-                                                let _e1225 = phi_1511_;
-                                                if _e1220 {
-                                                    if _e1220 {
+                                                let _e860 = phi_1511_;
+                                                if _e855 {
+                                                    if _e855 {
                                                     } else {
-                                                        phi_4337_ = true;
+                                                        phi_4341_ = true;
                                                         break;
                                                     }
-                                                    let _e1227 = global_10.member[_e1219];
-                                                    phi_1527_ = _e1227;
+                                                    let _e862 = global_10.member[_e854];
+                                                    phi_1527_ = _e862;
                                                 } else {
                                                     phi_1527_ = type_55(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e1229 = phi_1527_;
-                                                let _e1241 = ((10u * _e410) & 31u);
-                                                let _e1244 = ((_e1229.member[0] >> bitcast<u32>(_e1241)) & 1023u);
-                                                let _e1252 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[0] - _e820.member.member[0]) * 0.0009775171f)) ^ _e139));
-                                                let _e1257 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1244)) - 8388608f) * _e1252)) ^ _e139)));
-                                                let _e1261 = select(select(_e820.member.member_1[0], _e1257, (_e1257 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e1244 == 1023u));
-                                                let _e1263 = ((10u * _e409) & 31u);
-                                                let _e1266 = ((_e1229.member[0] >> bitcast<u32>(_e1263)) & 1023u);
-                                                let _e1274 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[1] - _e820.member.member[1]) * 0.0009775171f)) ^ _e139));
-                                                let _e1279 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1266)) - 8388608f) * _e1274)) ^ _e139)));
-                                                let _e1283 = select(select(_e820.member.member_1[1], _e1279, (_e1279 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e1266 == 1023u));
-                                                let _e1285 = ((10u * _e411) & 31u);
-                                                let _e1288 = ((_e1229.member[0] >> bitcast<u32>(_e1285)) & 1023u);
-                                                let _e1296 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[2] - _e820.member.member[2]) * 0.0009775171f)) ^ _e139));
-                                                let _e1301 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1288)) - 8388608f) * _e1296)) ^ _e139)));
-                                                let _e1305 = select(select(_e820.member.member_1[2], _e1301, (_e1301 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e1288 == 1023u));
-                                                let _e1309 = ((_e1229.member[1] >> bitcast<u32>(_e1241)) & 1023u);
-                                                let _e1317 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1309)) - 8388608f) * _e1252)) ^ _e139)));
-                                                let _e1321 = select(select(_e820.member.member_1[0], _e1317, (_e1317 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e1309 == 1023u));
-                                                let _e1324 = ((_e1229.member[1] >> bitcast<u32>(_e1263)) & 1023u);
-                                                let _e1332 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1324)) - 8388608f) * _e1274)) ^ _e139)));
-                                                let _e1336 = select(select(_e820.member.member_1[1], _e1332, (_e1332 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e1324 == 1023u));
-                                                let _e1339 = ((_e1229.member[1] >> bitcast<u32>(_e1285)) & 1023u);
-                                                let _e1347 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1339)) - 8388608f) * _e1296)) ^ _e139)));
-                                                let _e1351 = select(select(_e820.member.member_1[2], _e1347, (_e1347 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e1339 == 1023u));
-                                                let _e1355 = ((_e1229.member[2] >> bitcast<u32>(_e1241)) & 1023u);
-                                                let _e1363 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1355)) - 8388608f) * _e1252)) ^ _e139)));
-                                                let _e1367 = select(select(_e820.member.member_1[0], _e1363, (_e1363 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e1355 == 1023u));
-                                                let _e1370 = ((_e1229.member[2] >> bitcast<u32>(_e1263)) & 1023u);
-                                                let _e1378 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1370)) - 8388608f) * _e1274)) ^ _e139)));
-                                                let _e1382 = select(select(_e820.member.member_1[1], _e1378, (_e1378 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e1370 == 1023u));
-                                                let _e1385 = ((_e1229.member[2] >> bitcast<u32>(_e1285)) & 1023u);
-                                                let _e1393 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1385)) - 8388608f) * _e1296)) ^ _e139)));
-                                                let _e1397 = select(select(_e820.member.member_1[2], _e1393, (_e1393 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e1385 == 1023u));
-                                                let _e1401 = (_e1305 - _e590);
-                                                let _e1404 = (((_e1261 - _e457) * _e629) - (_e1401 * _e497));
-                                                let _e1407 = (((_e1283 - _e524) * _e629) - (_e1401 * _e563));
-                                                let _e1410 = (_e1351 - _e590);
-                                                let _e1413 = (((_e1321 - _e457) * _e629) - (_e1410 * _e497));
-                                                let _e1416 = (((_e1336 - _e524) * _e629) - (_e1410 * _e563));
-                                                let _e1419 = (_e1397 - _e590);
-                                                let _e1422 = (((_e1367 - _e457) * _e629) - (_e1419 * _e497));
-                                                let _e1425 = (((_e1382 - _e524) * _e629) - (_e1419 * _e563));
-                                                let _e1426 = (_e1422 * _e1416);
-                                                let _e1427 = (_e1425 * _e1413);
-                                                let _e1428 = (_e1404 * _e1425);
-                                                let _e1429 = (_e1407 * _e1422);
-                                                let _e1430 = (_e1413 * _e1407);
-                                                let _e1431 = (_e1416 * _e1404);
-                                                let _e1436 = (((_e1426 >= _e1427) && (_e1428 >= _e1429)) && (_e1430 >= _e1431));
-                                                if (_e1436 || (((_e1426 <= _e1427) && (_e1428 <= _e1429)) && (_e1430 <= _e1431))) {
-                                                    let _e1443 = select(-1f, 1f, _e1436);
-                                                    let _e1445 = ((_e1426 - _e1427) * _e1443);
-                                                    let _e1447 = select(0f, _e1445, (_e1445 > 0f));
-                                                    let _e1449 = ((_e1428 - _e1429) * _e1443);
-                                                    let _e1451 = select(0f, _e1449, (_e1449 > 0f));
-                                                    let _e1453 = ((_e1430 - _e1431) * _e1443);
-                                                    let _e1455 = select(0f, _e1453, (_e1453 > 0f));
-                                                    let _e1457 = ((_e1447 + _e1451) + _e1455);
-                                                    if (_e1457 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e864 = phi_1527_;
+                                                let _e876 = ((10u * _e410) & 31u);
+                                                let _e879 = ((_e864.member[0] >> bitcast<u32>(_e876)) & 1023u);
+                                                let _e887 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[0] - _e820.member.member[0]) * 0.0009775171f)) ^ _e139));
+                                                let _e892 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e879)) - 8388608f) * _e887)) ^ _e139)));
+                                                let _e896 = select(select(_e820.member.member_1[0], _e892, (_e892 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e879 == 1023u));
+                                                let _e898 = ((10u * _e409) & 31u);
+                                                let _e901 = ((_e864.member[0] >> bitcast<u32>(_e898)) & 1023u);
+                                                let _e909 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[1] - _e820.member.member[1]) * 0.0009775171f)) ^ _e139));
+                                                let _e914 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e901)) - 8388608f) * _e909)) ^ _e139)));
+                                                let _e918 = select(select(_e820.member.member_1[1], _e914, (_e914 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e901 == 1023u));
+                                                let _e920 = ((10u * _e411) & 31u);
+                                                let _e923 = ((_e864.member[0] >> bitcast<u32>(_e920)) & 1023u);
+                                                let _e931 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[2] - _e820.member.member[2]) * 0.0009775171f)) ^ _e139));
+                                                let _e936 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e923)) - 8388608f) * _e931)) ^ _e139)));
+                                                let _e940 = select(select(_e820.member.member_1[2], _e936, (_e936 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e923 == 1023u));
+                                                let _e944 = ((_e864.member[1] >> bitcast<u32>(_e876)) & 1023u);
+                                                let _e952 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e944)) - 8388608f) * _e887)) ^ _e139)));
+                                                let _e956 = select(select(_e820.member.member_1[0], _e952, (_e952 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e944 == 1023u));
+                                                let _e959 = ((_e864.member[1] >> bitcast<u32>(_e898)) & 1023u);
+                                                let _e967 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e959)) - 8388608f) * _e909)) ^ _e139)));
+                                                let _e971 = select(select(_e820.member.member_1[1], _e967, (_e967 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e959 == 1023u));
+                                                let _e974 = ((_e864.member[1] >> bitcast<u32>(_e920)) & 1023u);
+                                                let _e982 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e974)) - 8388608f) * _e931)) ^ _e139)));
+                                                let _e986 = select(select(_e820.member.member_1[2], _e982, (_e982 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e974 == 1023u));
+                                                let _e990 = ((_e864.member[2] >> bitcast<u32>(_e876)) & 1023u);
+                                                let _e998 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e990)) - 8388608f) * _e887)) ^ _e139)));
+                                                let _e1002 = select(select(_e820.member.member_1[0], _e998, (_e998 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e990 == 1023u));
+                                                let _e1005 = ((_e864.member[2] >> bitcast<u32>(_e898)) & 1023u);
+                                                let _e1013 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1005)) - 8388608f) * _e909)) ^ _e139)));
+                                                let _e1017 = select(select(_e820.member.member_1[1], _e1013, (_e1013 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e1005 == 1023u));
+                                                let _e1020 = ((_e864.member[2] >> bitcast<u32>(_e920)) & 1023u);
+                                                let _e1028 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1020)) - 8388608f) * _e931)) ^ _e139)));
+                                                let _e1032 = select(select(_e820.member.member_1[2], _e1028, (_e1028 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e1020 == 1023u));
+                                                let _e1036 = (_e940 - _e590);
+                                                let _e1039 = (((_e896 - _e457) * _e629) - (_e1036 * _e497));
+                                                let _e1042 = (((_e918 - _e524) * _e629) - (_e1036 * _e563));
+                                                let _e1045 = (_e986 - _e590);
+                                                let _e1048 = (((_e956 - _e457) * _e629) - (_e1045 * _e497));
+                                                let _e1051 = (((_e971 - _e524) * _e629) - (_e1045 * _e563));
+                                                let _e1054 = (_e1032 - _e590);
+                                                let _e1057 = (((_e1002 - _e457) * _e629) - (_e1054 * _e497));
+                                                let _e1060 = (((_e1017 - _e524) * _e629) - (_e1054 * _e563));
+                                                let _e1061 = (_e1057 * _e1051);
+                                                let _e1062 = (_e1060 * _e1048);
+                                                let _e1063 = (_e1039 * _e1060);
+                                                let _e1064 = (_e1042 * _e1057);
+                                                let _e1065 = (_e1048 * _e1042);
+                                                let _e1066 = (_e1051 * _e1039);
+                                                let _e1071 = (((_e1061 >= _e1062) && (_e1063 >= _e1064)) && (_e1065 >= _e1066));
+                                                if (_e1071 || (((_e1061 <= _e1062) && (_e1063 <= _e1064)) && (_e1065 <= _e1066))) {
+                                                    let _e1078 = select(-1f, 1f, _e1071);
+                                                    let _e1080 = ((_e1061 - _e1062) * _e1078);
+                                                    let _e1082 = select(0f, _e1080, (_e1080 > 0f));
+                                                    let _e1084 = ((_e1063 - _e1064) * _e1078);
+                                                    let _e1086 = select(0f, _e1084, (_e1084 > 0f));
+                                                    let _e1088 = ((_e1065 - _e1066) * _e1078);
+                                                    let _e1090 = select(0f, _e1088, (_e1088 > 0f));
+                                                    let _e1092 = ((_e1082 + _e1086) + _e1090);
+                                                    if (_e1092 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2673_ = type_22();
                                                         phi_2674_ = true;
                                                         phi_2675_ = false;
                                                     } else {
-                                                        let _e1460 = select(_e1413, _e1404, (_e1404 < _e1413));
-                                                        if (select(_e1422, _e1460, (_e1460 < _e1422)) > 0f) {
+                                                        let _e1095 = select(_e1048, _e1039, (_e1039 < _e1048));
+                                                        if (select(_e1057, _e1095, (_e1095 < _e1057)) > 0f) {
                                                             phi_1965_ = true;
                                                         } else {
-                                                            let _e1465 = select(_e1413, _e1404, (_e1404 > _e1413));
-                                                            phi_1965_ = (select(_e1422, _e1465, (_e1465 > _e1422)) < 0f);
+                                                            let _e1100 = select(_e1048, _e1039, (_e1039 > _e1048));
+                                                            phi_1965_ = (select(_e1057, _e1100, (_e1100 > _e1057)) < 0f);
                                                         }
-                                                        let _e1470 = phi_1965_;
-                                                        if _e1470 {
+                                                        let _e1105 = phi_1965_;
+                                                        if _e1105 {
                                                             phi_2670_ = type_22();
                                                             phi_2671_ = true;
                                                             phi_2672_ = false;
                                                         } else {
-                                                            let _e1472 = select(_e1416, _e1407, (_e1407 < _e1416));
-                                                            if (select(_e1425, _e1472, (_e1472 < _e1425)) > 0f) {
+                                                            let _e1107 = select(_e1051, _e1042, (_e1042 < _e1051));
+                                                            if (select(_e1060, _e1107, (_e1107 < _e1060)) > 0f) {
                                                                 phi_1994_ = true;
                                                             } else {
-                                                                let _e1477 = select(_e1416, _e1407, (_e1407 > _e1416));
-                                                                phi_1994_ = (select(_e1425, _e1477, (_e1477 > _e1425)) < 0f);
+                                                                let _e1112 = select(_e1051, _e1042, (_e1042 > _e1051));
+                                                                phi_1994_ = (select(_e1060, _e1112, (_e1112 > _e1060)) < 0f);
                                                             }
-                                                            let _e1482 = phi_1994_;
-                                                            if _e1482 {
+                                                            let _e1117 = phi_1994_;
+                                                            if _e1117 {
                                                                 phi_2668_ = type_22();
                                                                 phi_2669_ = false;
                                                             } else {
-                                                                let _e1484 = select(_e1321, _e1261, (_e1261 < _e1321));
-                                                                let _e1488 = select(_e1321, _e1261, (_e1261 > _e1321));
-                                                                let _e1492 = select(_e1336, _e1283, (_e1283 < _e1336));
-                                                                let _e1496 = select(_e1336, _e1283, (_e1283 > _e1336));
-                                                                let _e1500 = select(_e1351, _e1305, (_e1305 < _e1351));
-                                                                let _e1504 = select(_e1351, _e1305, (_e1305 > _e1351));
-                                                                let _e1509 = ((select(_e1367, _e1484, (_e1484 < _e1367)) - _e495) * _e500);
-                                                                let _e1510 = ((select(_e1367, _e1488, (_e1488 > _e1367)) - _e496) * _e500);
-                                                                let _e1513 = ((select(_e1382, _e1492, (_e1492 < _e1382)) - _e561) * _e566);
-                                                                let _e1514 = ((select(_e1382, _e1496, (_e1496 > _e1382)) - _e562) * _e566);
-                                                                let _e1517 = ((select(_e1397, _e1500, (_e1500 < _e1397)) - _e627) * _e632);
-                                                                let _e1518 = ((select(_e1397, _e1504, (_e1504 > _e1397)) - _e628) * _e632);
-                                                                let _e1520 = select(_e1518, _e1517, (_e1517 < _e1518));
-                                                                let _e1522 = select(_e1518, _e1517, (_e1517 > _e1518));
-                                                                let _e1524 = select(_e1510, _e1509, (_e1509 < _e1510));
-                                                                let _e1526 = select(_e1514, _e1513, (_e1513 < _e1514));
-                                                                let _e1528 = select(_e1526, _e1524, (_e1524 > _e1526));
-                                                                let _e1530 = select(_e1520, _e1528, (_e1528 > _e1520));
-                                                                let _e1532 = select(_e1510, _e1509, (_e1509 > _e1510));
-                                                                let _e1534 = select(_e1514, _e1513, (_e1513 > _e1514));
-                                                                let _e1536 = select(_e1534, _e1532, (_e1532 < _e1534));
-                                                                let _e1538 = select(_e1522, _e1536, (_e1536 < _e1522));
-                                                                let _e1539 = -(_e1520);
-                                                                let _e1545 = select(_e743, _e1530, (_e1530 > _e743));
-                                                                if (_e1545 > (_e1538 + (select(_e1539, _e1522, (_e1522 > _e1539)) * 0.0000019073523f))) {
+                                                                let _e1119 = select(_e956, _e896, (_e896 < _e956));
+                                                                let _e1123 = select(_e956, _e896, (_e896 > _e956));
+                                                                let _e1127 = select(_e971, _e918, (_e918 < _e971));
+                                                                let _e1131 = select(_e971, _e918, (_e918 > _e971));
+                                                                let _e1135 = select(_e986, _e940, (_e940 < _e986));
+                                                                let _e1139 = select(_e986, _e940, (_e940 > _e986));
+                                                                let _e1144 = ((select(_e1002, _e1119, (_e1119 < _e1002)) - _e495) * _e500);
+                                                                let _e1145 = ((select(_e1002, _e1123, (_e1123 > _e1002)) - _e496) * _e500);
+                                                                let _e1148 = ((select(_e1017, _e1127, (_e1127 < _e1017)) - _e561) * _e566);
+                                                                let _e1149 = ((select(_e1017, _e1131, (_e1131 > _e1017)) - _e562) * _e566);
+                                                                let _e1152 = ((select(_e1032, _e1135, (_e1135 < _e1032)) - _e627) * _e632);
+                                                                let _e1153 = ((select(_e1032, _e1139, (_e1139 > _e1032)) - _e628) * _e632);
+                                                                let _e1155 = select(_e1153, _e1152, (_e1152 < _e1153));
+                                                                let _e1157 = select(_e1153, _e1152, (_e1152 > _e1153));
+                                                                let _e1159 = select(_e1145, _e1144, (_e1144 < _e1145));
+                                                                let _e1161 = select(_e1149, _e1148, (_e1148 < _e1149));
+                                                                let _e1163 = select(_e1161, _e1159, (_e1159 > _e1161));
+                                                                let _e1165 = select(_e1155, _e1163, (_e1163 > _e1155));
+                                                                let _e1167 = select(_e1145, _e1144, (_e1144 > _e1145));
+                                                                let _e1169 = select(_e1149, _e1148, (_e1148 > _e1149));
+                                                                let _e1171 = select(_e1169, _e1167, (_e1167 < _e1169));
+                                                                let _e1173 = select(_e1157, _e1171, (_e1171 < _e1157));
+                                                                let _e1174 = -(_e1155);
+                                                                let _e1180 = select(_e743, _e1165, (_e1165 > _e743));
+                                                                if (_e1180 > (_e1173 + (select(_e1174, _e1157, (_e1157 > _e1174)) * 0.0000019073523f))) {
                                                                     phi_2663_ = type_22();
                                                                     phi_2664_ = true;
                                                                 } else {
-                                                                    let _e1547 = (_e1545 > _e1197.member_1);
-                                                                    if _e1547 {
+                                                                    let _e1182 = (_e1180 > _e832.member_1);
+                                                                    if _e1182 {
                                                                         phi_2662_ = type_22();
                                                                     } else {
-                                                                        let _e1548 = vec3<f32>(_e1261, _e1283, _e1305);
-                                                                        let _e1549 = vec3<f32>(_e1321, _e1336, _e1351);
-                                                                        let _e1550 = vec3<f32>(_e1367, _e1382, _e1397);
-                                                                        let _e1551 = (_e1321 - _e1261);
-                                                                        let _e1552 = (_e1336 - _e1283);
-                                                                        let _e1553 = (_e1351 - _e1305);
-                                                                        let _e1554 = vec3<f32>(_e1551, _e1552, _e1553);
-                                                                        let _e1555 = (_e1367 - _e1321);
-                                                                        let _e1556 = (_e1382 - _e1336);
-                                                                        let _e1557 = (_e1397 - _e1351);
-                                                                        let _e1558 = vec3<f32>(_e1555, _e1556, _e1557);
-                                                                        let _e1559 = (_e1261 - _e1367);
-                                                                        let _e1560 = (_e1283 - _e1382);
-                                                                        let _e1561 = (_e1305 - _e1397);
-                                                                        let _e1562 = vec3<f32>(_e1559, _e1560, _e1561);
-                                                                        let _e1565 = bitcast<f32>((bitcast<u32>(_e1551) & 2147483647u));
-                                                                        let _e1568 = bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u));
-                                                                        let _e1570 = select(_e1568, _e1565, (_e1565 > _e1568));
-                                                                        let _e1573 = bitcast<f32>((bitcast<u32>(_e1553) & 2147483647u));
-                                                                        let _e1575 = select(_e1573, _e1570, (_e1570 > _e1573));
-                                                                        let _e1578 = bitcast<f32>((bitcast<u32>(_e1555) & 2147483647u));
-                                                                        let _e1581 = bitcast<f32>((bitcast<u32>(_e1556) & 2147483647u));
-                                                                        let _e1583 = select(_e1581, _e1578, (_e1578 > _e1581));
-                                                                        let _e1586 = bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u));
-                                                                        let _e1588 = select(_e1586, _e1583, (_e1583 > _e1586));
-                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
-                                                                        let _e1594 = bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u));
-                                                                        let _e1596 = select(_e1594, _e1591, (_e1591 > _e1594));
-                                                                        let _e1599 = bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u));
-                                                                        let _e1601 = select(_e1599, _e1596, (_e1596 > _e1599));
-                                                                        let _e1603 = select(_e1588, _e1575, (_e1575 > _e1588));
-                                                                        let _e1605 = select(_e1601, _e1603, (_e1603 > _e1601));
-                                                                        if (_e1575 == _e1605) {
-                                                                            phi_2389_ = _e1416;
-                                                                            phi_2390_ = _e1413;
-                                                                            phi_2391_ = _e1407;
-                                                                            phi_2392_ = _e1404;
-                                                                            phi_2393_ = _e1548;
-                                                                            phi_2394_ = _e1562;
-                                                                            phi_2395_ = _e1558;
-                                                                            phi_2396_ = _e1554;
+                                                                        let _e1183 = vec3<f32>(_e896, _e918, _e940);
+                                                                        let _e1184 = vec3<f32>(_e956, _e971, _e986);
+                                                                        let _e1185 = vec3<f32>(_e1002, _e1017, _e1032);
+                                                                        let _e1186 = (_e956 - _e896);
+                                                                        let _e1187 = (_e971 - _e918);
+                                                                        let _e1188 = (_e986 - _e940);
+                                                                        let _e1189 = vec3<f32>(_e1186, _e1187, _e1188);
+                                                                        let _e1190 = (_e1002 - _e956);
+                                                                        let _e1191 = (_e1017 - _e971);
+                                                                        let _e1192 = (_e1032 - _e986);
+                                                                        let _e1193 = vec3<f32>(_e1190, _e1191, _e1192);
+                                                                        let _e1194 = (_e896 - _e1002);
+                                                                        let _e1195 = (_e918 - _e1017);
+                                                                        let _e1196 = (_e940 - _e1032);
+                                                                        let _e1197 = vec3<f32>(_e1194, _e1195, _e1196);
+                                                                        let _e1200 = bitcast<f32>((bitcast<u32>(_e1186) & 2147483647u));
+                                                                        let _e1203 = bitcast<f32>((bitcast<u32>(_e1187) & 2147483647u));
+                                                                        let _e1205 = select(_e1203, _e1200, (_e1200 > _e1203));
+                                                                        let _e1208 = bitcast<f32>((bitcast<u32>(_e1188) & 2147483647u));
+                                                                        let _e1210 = select(_e1208, _e1205, (_e1205 > _e1208));
+                                                                        let _e1213 = bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u));
+                                                                        let _e1216 = bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u));
+                                                                        let _e1218 = select(_e1216, _e1213, (_e1213 > _e1216));
+                                                                        let _e1221 = bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u));
+                                                                        let _e1223 = select(_e1221, _e1218, (_e1218 > _e1221));
+                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u));
+                                                                        let _e1229 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
+                                                                        let _e1231 = select(_e1229, _e1226, (_e1226 > _e1229));
+                                                                        let _e1234 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
+                                                                        let _e1236 = select(_e1234, _e1231, (_e1231 > _e1234));
+                                                                        let _e1238 = select(_e1223, _e1210, (_e1210 > _e1223));
+                                                                        let _e1240 = select(_e1236, _e1238, (_e1238 > _e1236));
+                                                                        if (_e1210 == _e1240) {
+                                                                            phi_2389_ = _e1051;
+                                                                            phi_2390_ = _e1048;
+                                                                            phi_2391_ = _e1042;
+                                                                            phi_2392_ = _e1039;
+                                                                            phi_2393_ = _e1183;
+                                                                            phi_2394_ = _e1197;
+                                                                            phi_2395_ = _e1193;
+                                                                            phi_2396_ = _e1189;
                                                                         } else {
-                                                                            let _e1607 = (_e1588 == _e1605);
-                                                                            let _e1612 = vec3(_e1607);
-                                                                            phi_2389_ = select(_e1407, _e1425, _e1607);
-                                                                            phi_2390_ = select(_e1404, _e1422, _e1607);
-                                                                            phi_2391_ = select(_e1425, _e1416, _e1607);
-                                                                            phi_2392_ = select(_e1422, _e1413, _e1607);
-                                                                            phi_2393_ = select(_e1550, _e1549, _e1612);
-                                                                            phi_2394_ = select(_e1558, _e1554, _e1612);
-                                                                            phi_2395_ = select(_e1554, _e1562, _e1612);
-                                                                            phi_2396_ = select(_e1562, _e1558, _e1612);
+                                                                            let _e1242 = (_e1223 == _e1240);
+                                                                            let _e1247 = vec3(_e1242);
+                                                                            phi_2389_ = select(_e1042, _e1060, _e1242);
+                                                                            phi_2390_ = select(_e1039, _e1057, _e1242);
+                                                                            phi_2391_ = select(_e1060, _e1051, _e1242);
+                                                                            phi_2392_ = select(_e1057, _e1048, _e1242);
+                                                                            phi_2393_ = select(_e1185, _e1184, _e1247);
+                                                                            phi_2394_ = select(_e1193, _e1189, _e1247);
+                                                                            phi_2395_ = select(_e1189, _e1197, _e1247);
+                                                                            phi_2396_ = select(_e1197, _e1193, _e1247);
                                                                         }
-                                                                        let _e1618 = phi_2389_;
-                                                                        let _e1620 = phi_2390_;
-                                                                        let _e1622 = phi_2391_;
-                                                                        let _e1624 = phi_2392_;
-                                                                        let _e1626 = phi_2393_;
-                                                                        let _e1628 = phi_2394_;
-                                                                        let _e1630 = phi_2395_;
-                                                                        let _e1632 = phi_2396_;
-                                                                        let _e1639 = ((_e1630.y * _e1628.z) - (_e1628.y * _e1630.z));
-                                                                        let _e1644 = ((_e1630.z * _e1628.x) - (_e1628.z * _e1630.x));
-                                                                        let _e1647 = ((_e1630.x * _e1628.y) - (_e1628.x * _e1630.y));
-                                                                        if (_e1447 >= _e1451) {
-                                                                            phi_2433_ = select(true, false, (_e1447 >= _e1455));
+                                                                        let _e1253 = phi_2389_;
+                                                                        let _e1255 = phi_2390_;
+                                                                        let _e1257 = phi_2391_;
+                                                                        let _e1259 = phi_2392_;
+                                                                        let _e1261 = phi_2393_;
+                                                                        let _e1263 = phi_2394_;
+                                                                        let _e1265 = phi_2395_;
+                                                                        let _e1267 = phi_2396_;
+                                                                        let _e1274 = ((_e1265.y * _e1263.z) - (_e1263.y * _e1265.z));
+                                                                        let _e1279 = ((_e1265.z * _e1263.x) - (_e1263.z * _e1265.x));
+                                                                        let _e1282 = ((_e1265.x * _e1263.y) - (_e1263.x * _e1265.y));
+                                                                        if (_e1082 >= _e1086) {
+                                                                            phi_2433_ = select(true, false, (_e1082 >= _e1090));
                                                                         } else {
                                                                             phi_2433_ = true;
                                                                         }
-                                                                        let _e1652 = phi_2433_;
-                                                                        if _e1652 {
-                                                                            phi_2442_ = select(_e1550, _e1549, vec3((_e1451 >= _e1455)));
+                                                                        let _e1287 = phi_2433_;
+                                                                        if _e1287 {
+                                                                            phi_2442_ = select(_e1185, _e1184, vec3((_e1086 >= _e1090)));
                                                                         } else {
-                                                                            phi_2442_ = _e1548;
+                                                                            phi_2442_ = _e1183;
                                                                         }
-                                                                        let _e1657 = phi_2442_;
-                                                                        let _e1668 = (((_e1639 * (_e1657.x - _e457)) + (_e1644 * (_e1657.y - _e524))) + (_e1647 * (_e1657.z - _e590)));
-                                                                        let _e1673 = (((_e1639 * _e497) + (_e1644 * _e563)) + (_e1647 * _e629));
-                                                                        let _e1674 = (_e1620 - _e1624);
-                                                                        let _e1675 = (_e1618 - _e1622);
-                                                                        let _e1683 = (-(((_e1624 * _e1674) + (_e1622 * _e1675))) / ((_e1674 * _e1674) + (_e1675 * _e1675)));
-                                                                        let _e1685 = select(1f, _e1683, (_e1683 < 1f));
-                                                                        let _e1687 = select(0f, _e1685, (_e1685 > 0f));
-                                                                        let _e1700 = ((_e1626.x + (_e1632.x * _e1687)) - _e457);
-                                                                        let _e1701 = ((_e1626.y + (_e1632.y * _e1687)) - _e524);
-                                                                        let _e1702 = ((_e1626.z + (_e1632.z * _e1687)) - _e590);
-                                                                        let _e1703 = (_e1702 / _e629);
-                                                                        let _e1715 = bitcast<f32>((bitcast<u32>(_e1700) & 2147483647u));
-                                                                        let _e1718 = bitcast<f32>((bitcast<u32>(_e1701) & 2147483647u));
-                                                                        let _e1720 = select(_e1718, _e1715, (_e1715 > _e1718));
-                                                                        let _e1723 = bitcast<f32>((bitcast<u32>(_e1702) & 2147483647u));
-                                                                        let _e1725 = select(_e1723, _e1720, (_e1720 > _e1723));
-                                                                        let _e1731 = bitcast<f32>((bitcast<u32>(_e1639) & 2147483647u));
-                                                                        let _e1734 = bitcast<f32>((bitcast<u32>(_e1644) & 2147483647u));
-                                                                        let _e1736 = select(_e1734, _e1731, (_e1731 > _e1734));
-                                                                        let _e1739 = bitcast<f32>((bitcast<u32>(_e1647) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1639 * _e1700) + (_e1644 * _e1701)) + (_e1647 * _e1702)) - _e1668)) & 2147483647u)) <= ((0.0000009536743f * select(_e1605, _e1725, (_e1725 > _e1605))) * select(_e1739, _e1736, (_e1736 > _e1739)))) {
-                                                                            let _e1749 = bitcast<f32>((bitcast<u32>(_e1630.x) & 2147483647u));
-                                                                            let _e1752 = bitcast<f32>((bitcast<u32>(_e1630.y) & 2147483647u));
-                                                                            let _e1754 = select(_e1752, _e1749, (_e1749 > _e1752));
-                                                                            let _e1757 = bitcast<f32>((bitcast<u32>(_e1630.z) & 2147483647u));
-                                                                            let _e1763 = bitcast<f32>((bitcast<u32>(_e1628.x) & 2147483647u));
-                                                                            let _e1766 = bitcast<f32>((bitcast<u32>(_e1628.y) & 2147483647u));
-                                                                            let _e1768 = select(_e1766, _e1763, (_e1763 > _e1766));
-                                                                            let _e1771 = bitcast<f32>((bitcast<u32>(_e1628.z) & 2147483647u));
-                                                                            let _e1775 = (bitcast<f32>((bitcast<u32>(_e1673) & 2147483647u)) > ((0.0000038146973f * select(_e1757, _e1754, (_e1754 > _e1757))) * select(_e1771, _e1768, (_e1768 > _e1771))));
-                                                                            if _e1775 {
-                                                                                phi_2607_ = (_e1668 / _e1673);
+                                                                        let _e1292 = phi_2442_;
+                                                                        let _e1303 = (((_e1274 * (_e1292.x - _e457)) + (_e1279 * (_e1292.y - _e524))) + (_e1282 * (_e1292.z - _e590)));
+                                                                        let _e1308 = (((_e1274 * _e497) + (_e1279 * _e563)) + (_e1282 * _e629));
+                                                                        let _e1309 = (_e1255 - _e1259);
+                                                                        let _e1310 = (_e1253 - _e1257);
+                                                                        let _e1318 = (-(((_e1259 * _e1309) + (_e1257 * _e1310))) / ((_e1309 * _e1309) + (_e1310 * _e1310)));
+                                                                        let _e1320 = select(1f, _e1318, (_e1318 < 1f));
+                                                                        let _e1322 = select(0f, _e1320, (_e1320 > 0f));
+                                                                        let _e1335 = ((_e1261.x + (_e1267.x * _e1322)) - _e457);
+                                                                        let _e1336 = ((_e1261.y + (_e1267.y * _e1322)) - _e524);
+                                                                        let _e1337 = ((_e1261.z + (_e1267.z * _e1322)) - _e590);
+                                                                        let _e1338 = (_e1337 / _e629);
+                                                                        let _e1350 = bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u));
+                                                                        let _e1353 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
+                                                                        let _e1355 = select(_e1353, _e1350, (_e1350 > _e1353));
+                                                                        let _e1358 = bitcast<f32>((bitcast<u32>(_e1337) & 2147483647u));
+                                                                        let _e1360 = select(_e1358, _e1355, (_e1355 > _e1358));
+                                                                        let _e1366 = bitcast<f32>((bitcast<u32>(_e1274) & 2147483647u));
+                                                                        let _e1369 = bitcast<f32>((bitcast<u32>(_e1279) & 2147483647u));
+                                                                        let _e1371 = select(_e1369, _e1366, (_e1366 > _e1369));
+                                                                        let _e1374 = bitcast<f32>((bitcast<u32>(_e1282) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1274 * _e1335) + (_e1279 * _e1336)) + (_e1282 * _e1337)) - _e1303)) & 2147483647u)) <= ((0.0000009536743f * select(_e1240, _e1360, (_e1360 > _e1240))) * select(_e1374, _e1371, (_e1371 > _e1374)))) {
+                                                                            let _e1384 = bitcast<f32>((bitcast<u32>(_e1265.x) & 2147483647u));
+                                                                            let _e1387 = bitcast<f32>((bitcast<u32>(_e1265.y) & 2147483647u));
+                                                                            let _e1389 = select(_e1387, _e1384, (_e1384 > _e1387));
+                                                                            let _e1392 = bitcast<f32>((bitcast<u32>(_e1265.z) & 2147483647u));
+                                                                            let _e1398 = bitcast<f32>((bitcast<u32>(_e1263.x) & 2147483647u));
+                                                                            let _e1401 = bitcast<f32>((bitcast<u32>(_e1263.y) & 2147483647u));
+                                                                            let _e1403 = select(_e1401, _e1398, (_e1398 > _e1401));
+                                                                            let _e1406 = bitcast<f32>((bitcast<u32>(_e1263.z) & 2147483647u));
+                                                                            let _e1410 = (bitcast<f32>((bitcast<u32>(_e1308) & 2147483647u)) > ((0.0000038146973f * select(_e1392, _e1389, (_e1389 > _e1392))) * select(_e1406, _e1403, (_e1403 > _e1406))));
+                                                                            if _e1410 {
+                                                                                phi_2607_ = (_e1303 / _e1308);
                                                                             } else {
                                                                                 phi_2607_ = f32();
                                                                             }
-                                                                            let _e1778 = phi_2607_;
-                                                                            phi_2609_ = _e1778;
-                                                                            phi_2610_ = select(true, false, _e1775);
+                                                                            let _e1413 = phi_2607_;
+                                                                            phi_2609_ = _e1413;
+                                                                            phi_2610_ = select(true, false, _e1410);
                                                                         } else {
                                                                             phi_2609_ = f32();
                                                                             phi_2610_ = true;
                                                                         }
-                                                                        let _e1781 = phi_2609_;
-                                                                        let _e1783 = phi_2610_;
-                                                                        if _e1783 {
-                                                                            let _e1791 = (((_e1639 * (_e1700 - (_e497 * _e1703))) + (_e1644 * (_e1701 - (_e563 * _e1703)))) / _e1673);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1791) & 2147483647u)) <= _e1605) {
-                                                                                phi_2630_ = (_e1703 + _e1791);
+                                                                        let _e1416 = phi_2609_;
+                                                                        let _e1418 = phi_2610_;
+                                                                        if _e1418 {
+                                                                            let _e1426 = (((_e1274 * (_e1335 - (_e497 * _e1338))) + (_e1279 * (_e1336 - (_e563 * _e1338)))) / _e1308);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u)) <= _e1240) {
+                                                                                phi_2630_ = (_e1338 + _e1426);
                                                                             } else {
-                                                                                phi_2630_ = _e1703;
+                                                                                phi_2630_ = _e1338;
                                                                             }
-                                                                            let _e1798 = phi_2630_;
-                                                                            phi_2631_ = _e1798;
+                                                                            let _e1433 = phi_2630_;
+                                                                            phi_2631_ = _e1433;
                                                                         } else {
-                                                                            phi_2631_ = _e1781;
+                                                                            phi_2631_ = _e1416;
                                                                         }
-                                                                        let _e1800 = phi_2631_;
-                                                                        let _e1802 = select(_e1538, _e1800, (_e1800 < _e1538));
-                                                                        let _e1804 = select(_e1530, _e1802, (_e1802 > _e1530));
-                                                                        if (_e1804 >= _e743) {
-                                                                            let _e1806 = (_e1804 <= _e1197.member_1);
-                                                                            if _e1806 {
-                                                                                let _e1807 = (1f / _e1457);
-                                                                                phi_2654_ = type_22(_e1804, (_e1451 * _e1807), (_e1455 * _e1807), _e1225);
+                                                                        let _e1435 = phi_2631_;
+                                                                        let _e1437 = select(_e1173, _e1435, (_e1435 < _e1173));
+                                                                        let _e1439 = select(_e1165, _e1437, (_e1437 > _e1165));
+                                                                        if (_e1439 >= _e743) {
+                                                                            let _e1441 = (_e1439 <= _e832.member_1);
+                                                                            if _e1441 {
+                                                                                let _e1442 = (1f / _e1092);
+                                                                                phi_2654_ = type_22(_e1439, (_e1086 * _e1442), (_e1090 * _e1442), _e860);
                                                                             } else {
                                                                                 phi_2654_ = type_22();
                                                                             }
-                                                                            let _e1812 = phi_2654_;
-                                                                            phi_2656_ = _e1812;
-                                                                            phi_2657_ = select(true, false, _e1806);
+                                                                            let _e1447 = phi_2654_;
+                                                                            phi_2656_ = _e1447;
+                                                                            phi_2657_ = select(true, false, _e1441);
                                                                         } else {
                                                                             phi_2656_ = type_22();
                                                                             phi_2657_ = true;
                                                                         }
-                                                                        let _e1815 = phi_2656_;
-                                                                        let _e1817 = phi_2657_;
-                                                                        if _e1817 {
+                                                                        let _e1450 = phi_2656_;
+                                                                        let _e1452 = phi_2657_;
+                                                                        if _e1452 {
                                                                             phi_2661_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2661_ = _e1815;
+                                                                            phi_2661_ = _e1450;
                                                                         }
-                                                                        let _e1819 = phi_2661_;
-                                                                        phi_2662_ = _e1819;
+                                                                        let _e1454 = phi_2661_;
+                                                                        phi_2662_ = _e1454;
                                                                     }
-                                                                    let _e1821 = phi_2662_;
-                                                                    phi_2663_ = _e1821;
-                                                                    phi_2664_ = _e1547;
+                                                                    let _e1456 = phi_2662_;
+                                                                    phi_2663_ = _e1456;
+                                                                    phi_2664_ = _e1182;
                                                                 }
-                                                                let _e1823 = phi_2663_;
-                                                                let _e1825 = phi_2664_;
-                                                                phi_2668_ = _e1823;
-                                                                phi_2669_ = _e1825;
+                                                                let _e1458 = phi_2663_;
+                                                                let _e1460 = phi_2664_;
+                                                                phi_2668_ = _e1458;
+                                                                phi_2669_ = _e1460;
                                                             }
-                                                            let _e1827 = phi_2668_;
-                                                            let _e1829 = phi_2669_;
-                                                            phi_2670_ = _e1827;
-                                                            phi_2671_ = _e1482;
-                                                            phi_2672_ = _e1829;
+                                                            let _e1462 = phi_2668_;
+                                                            let _e1464 = phi_2669_;
+                                                            phi_2670_ = _e1462;
+                                                            phi_2671_ = _e1117;
+                                                            phi_2672_ = _e1464;
                                                         }
-                                                        let _e1831 = phi_2670_;
-                                                        let _e1833 = phi_2671_;
-                                                        let _e1835 = phi_2672_;
-                                                        phi_2673_ = _e1831;
-                                                        phi_2674_ = _e1833;
-                                                        phi_2675_ = _e1835;
+                                                        let _e1466 = phi_2670_;
+                                                        let _e1468 = phi_2671_;
+                                                        let _e1470 = phi_2672_;
+                                                        phi_2673_ = _e1466;
+                                                        phi_2674_ = _e1468;
+                                                        phi_2675_ = _e1470;
                                                     }
-                                                    let _e1837 = phi_2673_;
-                                                    let _e1839 = phi_2674_;
-                                                    let _e1841 = phi_2675_;
-                                                    phi_2683_ = _e1837;
-                                                    phi_2684_ = select(_e1841, true, _e1839);
+                                                    let _e1472 = phi_2673_;
+                                                    let _e1474 = phi_2674_;
+                                                    let _e1476 = phi_2675_;
+                                                    phi_2683_ = _e1472;
+                                                    phi_2684_ = select(_e1476, true, _e1474);
                                                 } else {
                                                     phi_2683_ = type_22();
                                                     phi_2684_ = true;
                                                 }
-                                                let _e1844 = phi_2683_;
-                                                let _e1846 = phi_2684_;
-                                                if _e1846 {
+                                                let _e1479 = phi_2683_;
+                                                let _e1481 = phi_2684_;
+                                                if _e1481 {
                                                     phi_2688_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2688_ = _e1844;
+                                                    phi_2688_ = _e1479;
                                                 }
-                                                let _e1848 = phi_2688_;
-                                                if (_e1848.member_3 != 4294967295u) {
-                                                    if (_e1225 == _e156) {
+                                                let _e1483 = phi_2688_;
+                                                if (_e1483.member_3 != 4294967295u) {
+                                                    if (_e860 == _e156) {
                                                         phi_3011_ = false;
                                                     } else {
-                                                        let _e1852 = (_e1225 < arrayLength((&global_4.member)));
-                                                        if _e1852 {
-                                                            if _e1852 {
+                                                        let _e1487 = (_e860 < arrayLength((&global_4.member)));
+                                                        if _e1487 {
+                                                            if _e1487 {
                                                             } else {
-                                                                phi_4337_ = true;
+                                                                phi_4341_ = true;
                                                                 break;
                                                             }
-                                                            let _e1854 = global_4.member[_e1225];
-                                                            phi_2711_ = _e1854;
+                                                            let _e1489 = global_4.member[_e860];
+                                                            phi_2711_ = _e1489;
                                                         } else {
                                                             phi_2711_ = 4294967295u;
                                                         }
-                                                        let _e1856 = phi_2711_;
-                                                        let _e1857 = (_e1856 < arrayLength((&global_5.member)));
-                                                        if _e1857 {
-                                                            if _e1857 {
+                                                        let _e1491 = phi_2711_;
+                                                        let _e1492 = (_e1491 < arrayLength((&global_5.member)));
+                                                        if _e1492 {
+                                                            if _e1492 {
                                                             } else {
-                                                                phi_4337_ = true;
+                                                                phi_4341_ = true;
                                                                 break;
                                                             }
-                                                            let _e1859 = global_5.member[_e1856];
-                                                            phi_2725_ = _e1859;
+                                                            let _e1494 = global_5.member[_e1491];
+                                                            phi_2725_ = _e1494;
                                                         } else {
                                                             phi_2725_ = 0i;
                                                         }
-                                                        let _e1861 = phi_2725_;
-                                                        let _e1862 = (_e1861 == 0i);
-                                                        if _e1862 {
+                                                        let _e1496 = phi_2725_;
+                                                        let _e1497 = (_e1496 == 0i);
+                                                        if _e1497 {
                                                             phi_3010_ = true;
                                                         } else {
                                                             if _e434 {
-                                                                phi_2744_ = vec3<f32>(_e1261, _e1283, _e1305);
+                                                                phi_2744_ = vec3<f32>(_e896, _e918, _e940);
                                                             } else {
                                                                 if (_e410 == 1u) {
-                                                                    phi_2743_ = vec3<f32>(_e1305, _e1261, _e1283);
+                                                                    phi_2743_ = vec3<f32>(_e940, _e896, _e918);
                                                                 } else {
-                                                                    phi_2743_ = vec3<f32>(_e1283, _e1305, _e1261);
+                                                                    phi_2743_ = vec3<f32>(_e918, _e940, _e896);
                                                                 }
-                                                                let _e1867 = phi_2743_;
-                                                                phi_2744_ = _e1867;
+                                                                let _e1502 = phi_2743_;
+                                                                phi_2744_ = _e1502;
                                                             }
-                                                            let _e1870 = phi_2744_;
+                                                            let _e1505 = phi_2744_;
                                                             if _e434 {
-                                                                phi_2759_ = vec3<f32>(_e1321, _e1336, _e1351);
+                                                                phi_2759_ = vec3<f32>(_e956, _e971, _e986);
                                                             } else {
                                                                 if (_e410 == 1u) {
-                                                                    phi_2758_ = vec3<f32>(_e1351, _e1321, _e1336);
+                                                                    phi_2758_ = vec3<f32>(_e986, _e956, _e971);
                                                                 } else {
-                                                                    phi_2758_ = vec3<f32>(_e1336, _e1351, _e1321);
+                                                                    phi_2758_ = vec3<f32>(_e971, _e986, _e956);
                                                                 }
-                                                                let _e1875 = phi_2758_;
-                                                                phi_2759_ = _e1875;
+                                                                let _e1510 = phi_2758_;
+                                                                phi_2759_ = _e1510;
                                                             }
-                                                            let _e1878 = phi_2759_;
+                                                            let _e1513 = phi_2759_;
                                                             if _e434 {
-                                                                phi_2774_ = vec3<f32>(_e1367, _e1382, _e1397);
+                                                                phi_2774_ = vec3<f32>(_e1002, _e1017, _e1032);
                                                             } else {
                                                                 if (_e410 == 1u) {
-                                                                    phi_2773_ = vec3<f32>(_e1397, _e1367, _e1382);
+                                                                    phi_2773_ = vec3<f32>(_e1032, _e1002, _e1017);
                                                                 } else {
-                                                                    phi_2773_ = vec3<f32>(_e1382, _e1397, _e1367);
+                                                                    phi_2773_ = vec3<f32>(_e1017, _e1032, _e1002);
                                                                 }
-                                                                let _e1883 = phi_2773_;
-                                                                phi_2774_ = _e1883;
+                                                                let _e1518 = phi_2773_;
+                                                                phi_2774_ = _e1518;
                                                             }
-                                                            let _e1886 = phi_2774_;
-                                                            let _e1889 = (_e1878.x - _e1870.x);
-                                                            let _e1892 = (_e1878.y - _e1870.y);
-                                                            let _e1895 = (_e1878.z - _e1870.z);
-                                                            let _e1897 = (_e1886.x - _e1870.x);
-                                                            let _e1899 = (_e1886.y - _e1870.y);
-                                                            let _e1901 = (_e1886.z - _e1870.z);
+                                                            let _e1521 = phi_2774_;
+                                                            let _e1524 = (_e1513.x - _e1505.x);
+                                                            let _e1527 = (_e1513.y - _e1505.y);
+                                                            let _e1530 = (_e1513.z - _e1505.z);
+                                                            let _e1532 = (_e1521.x - _e1505.x);
+                                                            let _e1534 = (_e1521.y - _e1505.y);
+                                                            let _e1536 = (_e1521.z - _e1505.z);
                                                             if (_e288.member_1 == 1u) {
-                                                                phi_2810_ = (vec3<f32>(_e288.member[0], _e288.member[1], _e288.member[2]) - _e1870);
+                                                                phi_2810_ = (vec3<f32>(_e288.member[0], _e288.member[1], _e288.member[2]) - _e1505);
                                                             } else {
                                                                 phi_2810_ = vec3<f32>(_e288.member[0], _e288.member[1], _e288.member[2]);
                                                             }
-                                                            let _e1916 = phi_2810_;
-                                                            let _e1922 = bitcast<f32>((bitcast<u32>((_e1889 * _e1899)) ^ _e288.member_3[0]));
-                                                            let _e1926 = bitcast<f32>((bitcast<u32>((_e1892 * _e1897)) ^ _e288.member_3[0]));
-                                                            let _e1930 = bitcast<f32>((bitcast<u32>((_e1892 * _e1901)) ^ _e288.member_3[0]));
-                                                            let _e1934 = bitcast<f32>((bitcast<u32>((_e1895 * _e1899)) ^ _e288.member_3[0]));
-                                                            let _e1938 = bitcast<f32>((bitcast<u32>((_e1895 * _e1897)) ^ _e288.member_3[0]));
-                                                            let _e1942 = bitcast<f32>((bitcast<u32>((_e1889 * _e1901)) ^ _e288.member_3[0]));
-                                                            let _e1943 = (_e1930 - _e1934);
-                                                            let _e1944 = (_e1938 - _e1942);
-                                                            let _e1945 = (_e1922 - _e1926);
-                                                            let _e1969 = (bitcast<f32>((bitcast<u32>(_e1930) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1934) & 2147483647u)));
-                                                            let _e1976 = (bitcast<f32>((bitcast<u32>(_e1938) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1942) & 2147483647u)));
-                                                            let _e1983 = (bitcast<f32>((bitcast<u32>(_e1922) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1926) & 2147483647u)));
+                                                            let _e1551 = phi_2810_;
+                                                            let _e1557 = bitcast<f32>((bitcast<u32>((_e1524 * _e1534)) ^ _e288.member_3[0]));
+                                                            let _e1561 = bitcast<f32>((bitcast<u32>((_e1527 * _e1532)) ^ _e288.member_3[0]));
+                                                            let _e1565 = bitcast<f32>((bitcast<u32>((_e1527 * _e1536)) ^ _e288.member_3[0]));
+                                                            let _e1569 = bitcast<f32>((bitcast<u32>((_e1530 * _e1534)) ^ _e288.member_3[0]));
+                                                            let _e1573 = bitcast<f32>((bitcast<u32>((_e1530 * _e1532)) ^ _e288.member_3[0]));
+                                                            let _e1577 = bitcast<f32>((bitcast<u32>((_e1524 * _e1536)) ^ _e288.member_3[0]));
+                                                            let _e1578 = (_e1565 - _e1569);
+                                                            let _e1579 = (_e1573 - _e1577);
+                                                            let _e1580 = (_e1557 - _e1561);
+                                                            let _e1604 = (bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u)));
+                                                            let _e1611 = (bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)));
+                                                            let _e1618 = (bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u)));
                                                             if (_e288.member_2 == 0f) {
                                                                 phi_2992_ = 0f;
                                                             } else {
-                                                                let _e2013 = bitcast<f32>((bitcast<u32>(_e1943) & 2147483647u));
-                                                                let _e2016 = bitcast<f32>((bitcast<u32>(_e1944) & 2147483647u));
-                                                                let _e2019 = bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u));
-                                                                let _e2021 = select(_e2019, _e2016, (_e2016 > _e2019));
-                                                                let _e2025 = select(_e2019, _e2016, (_e2016 < _e2019));
-                                                                let _e2029 = select(_e2016, _e2013, (_e2013 < _e2016));
-                                                                let _e2031 = select(_e2016, _e2013, (_e2013 > _e2016));
-                                                                let _e2033 = select(_e2019, _e2031, (_e2031 < _e2019));
-                                                                phi_2992_ = bitcast<f32>((bitcast<u32>((_e288.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2021, _e2013, (_e2013 > _e2021)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2033, _e2029, (_e2029 > _e2033)))) ^ _e288.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2025, _e2013, (_e2013 < _e2025)))) ^ _e288.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1969 + _e1976) + _e1983))) ^ _e288.member_3[0]))) * 1.0000005f)) ^ _e288.member_3[0])))) ^ _e288.member_3[0]));
+                                                                let _e1648 = bitcast<f32>((bitcast<u32>(_e1578) & 2147483647u));
+                                                                let _e1651 = bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u));
+                                                                let _e1654 = bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u));
+                                                                let _e1656 = select(_e1654, _e1651, (_e1651 > _e1654));
+                                                                let _e1660 = select(_e1654, _e1651, (_e1651 < _e1654));
+                                                                let _e1664 = select(_e1651, _e1648, (_e1648 < _e1651));
+                                                                let _e1666 = select(_e1651, _e1648, (_e1648 > _e1651));
+                                                                let _e1668 = select(_e1654, _e1666, (_e1666 < _e1654));
+                                                                phi_2992_ = bitcast<f32>((bitcast<u32>((_e288.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1656, _e1648, (_e1648 > _e1656)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1668, _e1664, (_e1664 > _e1668)))) ^ _e288.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1660, _e1648, (_e1648 < _e1660)))) ^ _e288.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1604 + _e1611) + _e1618))) ^ _e288.member_3[0]))) * 1.0000005f)) ^ _e288.member_3[0])))) ^ _e288.member_3[0]));
                                                             }
-                                                            let _e2060 = phi_2992_;
-                                                            phi_3010_ = (_e1862 || !(((((bitcast<f32>((bitcast<u32>((_e1916.x * _e1943)) ^ _e288.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1916.y * _e1944)) ^ _e288.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1916.z * _e1945)) ^ _e288.member_3[0]))) * f32(-(_e1861))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1916.x) & 2147483647u)) * _e1969)) ^ _e288.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1916.y) & 2147483647u)) * _e1976)) ^ _e288.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1916.z) & 2147483647u)) * _e1983)) ^ _e288.member_3[0]))))) ^ _e288.member_3[0])) + _e2060) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1695 = phi_2992_;
+                                                            phi_3010_ = (_e1497 || !(((((bitcast<f32>((bitcast<u32>((_e1551.x * _e1578)) ^ _e288.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1551.y * _e1579)) ^ _e288.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1551.z * _e1580)) ^ _e288.member_3[0]))) * f32(-(_e1496))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1551.x) & 2147483647u)) * _e1604)) ^ _e288.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1551.y) & 2147483647u)) * _e1611)) ^ _e288.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1551.z) & 2147483647u)) * _e1618)) ^ _e288.member_3[0]))))) ^ _e288.member_3[0])) + _e1695) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2074 = phi_3010_;
-                                                        phi_3011_ = _e2074;
+                                                        let _e1709 = phi_3010_;
+                                                        phi_3011_ = _e1709;
                                                     }
-                                                    let _e2076 = phi_3011_;
-                                                    if _e2076 {
-                                                        if (_e1848.member < _e1197.member.member) {
+                                                    let _e1711 = phi_3011_;
+                                                    if _e1711 {
+                                                        if (_e1483.member < _e832.member.member) {
                                                             phi_3031_ = true;
                                                         } else {
-                                                            if (_e1848.member == _e1197.member.member) {
-                                                                phi_3030_ = (_e1848.member_3 < _e1197.member.member_3);
+                                                            if (_e1483.member == _e832.member.member) {
+                                                                phi_3030_ = (_e1483.member_3 < _e832.member.member_3);
                                                             } else {
                                                                 phi_3030_ = false;
                                                             }
-                                                            let _e2086 = phi_3030_;
-                                                            phi_3031_ = _e2086;
+                                                            let _e1721 = phi_3030_;
+                                                            phi_3031_ = _e1721;
                                                         }
-                                                        let _e2088 = phi_3031_;
-                                                        if _e2088 {
-                                                            phi_3037_ = type_38(_e1848, _e1848.member);
+                                                        let _e1723 = phi_3031_;
+                                                        if _e1723 {
+                                                            phi_3037_ = type_38(_e1483, _e1483.member);
                                                         } else {
-                                                            phi_3037_ = _e1197;
+                                                            phi_3037_ = _e832;
                                                         }
-                                                        let _e2091 = phi_3037_;
-                                                        phi_3038_ = _e2091;
+                                                        let _e1726 = phi_3037_;
+                                                        phi_3038_ = _e1726;
                                                     } else {
-                                                        phi_3038_ = _e1197;
+                                                        phi_3038_ = _e832;
                                                     }
-                                                    let _e2093 = phi_3038_;
-                                                    phi_3039_ = _e2093;
+                                                    let _e1728 = phi_3038_;
+                                                    phi_3039_ = _e1728;
                                                 } else {
-                                                    phi_3039_ = _e1197;
+                                                    phi_3039_ = _e832;
                                                 }
-                                                let _e2095 = phi_3039_;
-                                                phi_1461_ = _e2095;
+                                                let _e1730 = phi_3039_;
+                                                phi_1461_ = _e1730;
                                             } else {
                                                 phi_1461_ = type_38();
                                             }
-                                            let _e2097 = phi_1461_;
+                                            let _e1732 = phi_1461_;
                                             continue;
                                             continuing {
-                                                phi_1460_ = _e2097;
-                                                phi_1463_ = _e1212;
-                                                phi_4337_ = _e775;
-                                                break if !(_e1218);
+                                                phi_1460_ = _e1732;
+                                                phi_1463_ = _e847;
+                                                phi_4341_ = _e775;
+                                                break if !(_e853);
                                             }
                                         }
-                                        let _e2100 = phi_4337_;
-                                        phi_4547_ = _e2100;
-                                        if _e2100 {
+                                        let _e1735 = phi_4341_;
+                                        phi_4551_ = _e1735;
+                                        if _e1735 {
                                             break;
                                         }
-                                        phi_4551_ = _e2100;
-                                        let _e2426 = local_11;
-                                        phi_4052_ = _e2426;
-                                        phi_4053_ = false;
-                                        phi_4054_ = _e818;
-                                        phi_4055_ = _e820;
+                                        phi_4610_ = _e1735;
+                                        let _e2418 = local_11;
+                                        phi_3040_ = _e2418;
                                     } else {
-                                        let _e830 = (_e820.member_1 < _e96);
-                                        if _e830 {
-                                            if _e830 {
+                                        phi_4610_ = _e775;
+                                        phi_3040_ = _e777;
+                                    }
+                                    let _e1737 = phi_4610_;
+                                    let _e1739 = phi_3040_;
+                                    if _e824 {
+                                        phi_4047_ = bool();
+                                        phi_4048_ = u32();
+                                        phi_4049_ = type_61();
+                                    } else {
+                                        let _e1740 = (_e820.member_1 < _e96);
+                                        if _e1740 {
+                                            if _e1740 {
                                             } else {
-                                                phi_4547_ = true;
+                                                phi_4551_ = true;
                                                 break;
                                             }
-                                            let _e832 = global_9.member[_e820.member_1];
-                                            phi_3065_ = _e832;
+                                            let _e1742 = global_9.member[_e820.member_1];
+                                            phi_3061_ = _e1742;
                                         } else {
-                                            phi_3065_ = type_48(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_3061_ = type_48(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e834 = phi_3065_;
-                                        let _e849 = ((10u * _e410) & 31u);
-                                        let _e852 = ((_e834.member[0] >> bitcast<u32>(_e849)) & 1023u);
-                                        let _e860 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[0] - _e820.member.member[0]) * 0.0009775171f)) ^ _e139));
-                                        let _e865 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e852)) - 8388608f) * _e860)) ^ _e139)));
-                                        let _e869 = select(select(_e820.member.member_1[0], _e865, (_e865 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e852 == 1023u));
-                                        let _e871 = ((10u * _e409) & 31u);
-                                        let _e874 = ((_e834.member[0] >> bitcast<u32>(_e871)) & 1023u);
-                                        let _e882 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[1] - _e820.member.member[1]) * 0.0009775171f)) ^ _e139));
-                                        let _e887 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e874)) - 8388608f) * _e882)) ^ _e139)));
-                                        let _e891 = select(select(_e820.member.member_1[1], _e887, (_e887 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e874 == 1023u));
-                                        let _e893 = ((10u * _e411) & 31u);
-                                        let _e896 = ((_e834.member[0] >> bitcast<u32>(_e893)) & 1023u);
-                                        let _e904 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[2] - _e820.member.member[2]) * 0.0009775171f)) ^ _e139));
-                                        let _e909 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e904)) ^ _e139)));
-                                        let _e913 = select(select(_e820.member.member_1[2], _e909, (_e909 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e896 == 1023u));
-                                        let _e916 = ((_e834.member[1] >> bitcast<u32>(_e849)) & 1023u);
-                                        let _e924 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e916)) - 8388608f) * _e860)) ^ _e139)));
-                                        let _e928 = select(select(_e820.member.member_1[0], _e924, (_e924 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e916 == 1023u));
-                                        let _e931 = ((_e834.member[1] >> bitcast<u32>(_e871)) & 1023u);
-                                        let _e939 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e931)) - 8388608f) * _e882)) ^ _e139)));
-                                        let _e943 = select(select(_e820.member.member_1[1], _e939, (_e939 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e931 == 1023u));
-                                        let _e946 = ((_e834.member[1] >> bitcast<u32>(_e893)) & 1023u);
-                                        let _e954 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e946)) - 8388608f) * _e904)) ^ _e139)));
-                                        let _e958 = select(select(_e820.member.member_1[2], _e954, (_e954 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e946 == 1023u));
-                                        let _e964 = ((_e834.member_1[0] >> bitcast<u32>(_e849)) & 1023u);
-                                        let _e972 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e964)) - 8388608f) * _e860)) ^ _e139)));
-                                        let _e976 = select(select(_e820.member.member_1[0], _e972, (_e972 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e964 == 1023u));
-                                        let _e979 = ((_e834.member_1[0] >> bitcast<u32>(_e871)) & 1023u);
-                                        let _e987 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e979)) - 8388608f) * _e882)) ^ _e139)));
-                                        let _e991 = select(select(_e820.member.member_1[1], _e987, (_e987 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e979 == 1023u));
-                                        let _e994 = ((_e834.member_1[0] >> bitcast<u32>(_e893)) & 1023u);
-                                        let _e1002 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e994)) - 8388608f) * _e904)) ^ _e139)));
-                                        let _e1006 = select(select(_e820.member.member_1[2], _e1002, (_e1002 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e994 == 1023u));
-                                        let _e1009 = ((_e834.member_1[1] >> bitcast<u32>(_e849)) & 1023u);
-                                        let _e1017 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1009)) - 8388608f) * _e860)) ^ _e139)));
-                                        let _e1021 = select(select(_e820.member.member_1[0], _e1017, (_e1017 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e1009 == 1023u));
-                                        let _e1024 = ((_e834.member_1[1] >> bitcast<u32>(_e871)) & 1023u);
-                                        let _e1032 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1024)) - 8388608f) * _e882)) ^ _e139)));
-                                        let _e1036 = select(select(_e820.member.member_1[1], _e1032, (_e1032 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e1024 == 1023u));
-                                        let _e1039 = ((_e834.member_1[1] >> bitcast<u32>(_e893)) & 1023u);
-                                        let _e1047 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1039)) - 8388608f) * _e904)) ^ _e139)));
-                                        let _e1051 = select(select(_e820.member.member_1[2], _e1047, (_e1047 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e1039 == 1023u));
-                                        let _e1056 = type_61(type_53(array<f32, 3>(_e869, _e891, _e913), array<f32, 3>(_e928, _e943, _e958)), _e834.member_2);
-                                        let _e1061 = type_61(type_53(array<f32, 3>(_e976, _e991, _e1006), array<f32, 3>(_e1021, _e1036, _e1051)), _e834.member_3);
-                                        let _e1067 = ((_e869 - _e495) * _e500);
-                                        let _e1068 = ((_e976 - _e495) * _e500);
-                                        let _e1069 = ((_e928 - _e496) * _e500);
-                                        let _e1070 = ((_e1021 - _e496) * _e500);
-                                        let _e1075 = ((_e891 - _e561) * _e566);
-                                        let _e1076 = ((_e991 - _e561) * _e566);
-                                        let _e1077 = ((_e943 - _e562) * _e566);
-                                        let _e1078 = ((_e1036 - _e562) * _e566);
-                                        let _e1083 = ((_e913 - _e627) * _e632);
-                                        let _e1084 = ((_e1006 - _e627) * _e632);
-                                        let _e1085 = ((_e958 - _e628) * _e632);
-                                        let _e1086 = ((_e1051 - _e628) * _e632);
-                                        let _e1088 = select(_e1085, _e1083, (_e1083 < _e1085));
-                                        let _e1090 = select(_e1086, _e1084, (_e1084 < _e1086));
-                                        let _e1092 = select(_e1085, _e1083, (_e1083 > _e1085));
-                                        let _e1094 = select(_e1086, _e1084, (_e1084 > _e1086));
-                                        let _e1096 = select(_e1069, _e1067, (_e1067 < _e1069));
-                                        let _e1098 = select(_e1070, _e1068, (_e1068 < _e1070));
-                                        let _e1100 = select(_e1077, _e1075, (_e1075 < _e1077));
-                                        let _e1102 = select(_e1078, _e1076, (_e1076 < _e1078));
-                                        let _e1104 = select(_e1100, _e1096, (_e1096 > _e1100));
-                                        let _e1106 = select(_e1102, _e1098, (_e1098 > _e1102));
-                                        let _e1108 = select(_e1088, _e1104, (_e1104 > _e1088));
-                                        let _e1110 = select(_e1090, _e1106, (_e1106 > _e1090));
-                                        let _e1112 = select(_e1069, _e1067, (_e1067 > _e1069));
-                                        let _e1114 = select(_e1070, _e1068, (_e1068 > _e1070));
-                                        let _e1116 = select(_e1077, _e1075, (_e1075 > _e1077));
-                                        let _e1118 = select(_e1078, _e1076, (_e1076 > _e1078));
-                                        let _e1120 = select(_e1116, _e1112, (_e1112 < _e1116));
-                                        let _e1122 = select(_e1118, _e1114, (_e1114 < _e1118));
-                                        let _e1127 = -(_e1088);
-                                        let _e1128 = -(_e1090);
-                                        let _e1135 = (select(_e1092, _e1120, (_e1120 < _e1092)) + (select(_e1127, _e1092, (_e1092 > _e1127)) * 0.0000019073523f));
-                                        let _e1136 = (select(_e1094, _e1122, (_e1122 < _e1094)) + (select(_e1128, _e1094, (_e1094 > _e1128)) * 0.0000019073523f));
-                                        let _e1138 = select(_e743, _e1108, (_e1108 > _e743));
-                                        let _e1140 = select(_e743, _e1110, (_e1110 > _e743));
-                                        let _e1145 = (_e1138 <= select(_e777.member_1, _e1135, (_e1135 < _e777.member_1)));
-                                        let _e1146 = (_e1140 <= select(_e777.member_1, _e1136, (_e1136 < _e777.member_1)));
-                                        let _e1147 = (_e1138 <= _e1140);
-                                        if _e1145 {
-                                            if _e1146 {
-                                                if _e1147 {
-                                                    phi_3951_ = _e1061;
+                                        let _e1744 = phi_3061_;
+                                        let _e1759 = ((10u * _e410) & 31u);
+                                        let _e1762 = ((_e1744.member[0] >> bitcast<u32>(_e1759)) & 1023u);
+                                        let _e1770 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[0] - _e820.member.member[0]) * 0.0009775171f)) ^ _e139));
+                                        let _e1775 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1762)) - 8388608f) * _e1770)) ^ _e139)));
+                                        let _e1779 = select(select(_e820.member.member_1[0], _e1775, (_e1775 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e1762 == 1023u));
+                                        let _e1781 = ((10u * _e409) & 31u);
+                                        let _e1784 = ((_e1744.member[0] >> bitcast<u32>(_e1781)) & 1023u);
+                                        let _e1792 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[1] - _e820.member.member[1]) * 0.0009775171f)) ^ _e139));
+                                        let _e1797 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1784)) - 8388608f) * _e1792)) ^ _e139)));
+                                        let _e1801 = select(select(_e820.member.member_1[1], _e1797, (_e1797 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e1784 == 1023u));
+                                        let _e1803 = ((10u * _e411) & 31u);
+                                        let _e1806 = ((_e1744.member[0] >> bitcast<u32>(_e1803)) & 1023u);
+                                        let _e1814 = bitcast<f32>((bitcast<u32>(((_e820.member.member_1[2] - _e820.member.member[2]) * 0.0009775171f)) ^ _e139));
+                                        let _e1819 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1806)) - 8388608f) * _e1814)) ^ _e139)));
+                                        let _e1823 = select(select(_e820.member.member_1[2], _e1819, (_e1819 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e1806 == 1023u));
+                                        let _e1826 = ((_e1744.member[1] >> bitcast<u32>(_e1759)) & 1023u);
+                                        let _e1834 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1826)) - 8388608f) * _e1770)) ^ _e139)));
+                                        let _e1838 = select(select(_e820.member.member_1[0], _e1834, (_e1834 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e1826 == 1023u));
+                                        let _e1841 = ((_e1744.member[1] >> bitcast<u32>(_e1781)) & 1023u);
+                                        let _e1849 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1841)) - 8388608f) * _e1792)) ^ _e139)));
+                                        let _e1853 = select(select(_e820.member.member_1[1], _e1849, (_e1849 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e1841 == 1023u));
+                                        let _e1856 = ((_e1744.member[1] >> bitcast<u32>(_e1803)) & 1023u);
+                                        let _e1864 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1856)) - 8388608f) * _e1814)) ^ _e139)));
+                                        let _e1868 = select(select(_e820.member.member_1[2], _e1864, (_e1864 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e1856 == 1023u));
+                                        let _e1874 = ((_e1744.member_1[0] >> bitcast<u32>(_e1759)) & 1023u);
+                                        let _e1882 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1874)) - 8388608f) * _e1770)) ^ _e139)));
+                                        let _e1886 = select(select(_e820.member.member_1[0], _e1882, (_e1882 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e1874 == 1023u));
+                                        let _e1889 = ((_e1744.member_1[0] >> bitcast<u32>(_e1781)) & 1023u);
+                                        let _e1897 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1889)) - 8388608f) * _e1792)) ^ _e139)));
+                                        let _e1901 = select(select(_e820.member.member_1[1], _e1897, (_e1897 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e1889 == 1023u));
+                                        let _e1904 = ((_e1744.member_1[0] >> bitcast<u32>(_e1803)) & 1023u);
+                                        let _e1912 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1904)) - 8388608f) * _e1814)) ^ _e139)));
+                                        let _e1916 = select(select(_e820.member.member_1[2], _e1912, (_e1912 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e1904 == 1023u));
+                                        let _e1919 = ((_e1744.member_1[1] >> bitcast<u32>(_e1759)) & 1023u);
+                                        let _e1927 = (_e820.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1919)) - 8388608f) * _e1770)) ^ _e139)));
+                                        let _e1931 = select(select(_e820.member.member_1[0], _e1927, (_e1927 < _e820.member.member_1[0])), _e820.member.member_1[0], (_e1919 == 1023u));
+                                        let _e1934 = ((_e1744.member_1[1] >> bitcast<u32>(_e1781)) & 1023u);
+                                        let _e1942 = (_e820.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1934)) - 8388608f) * _e1792)) ^ _e139)));
+                                        let _e1946 = select(select(_e820.member.member_1[1], _e1942, (_e1942 < _e820.member.member_1[1])), _e820.member.member_1[1], (_e1934 == 1023u));
+                                        let _e1949 = ((_e1744.member_1[1] >> bitcast<u32>(_e1803)) & 1023u);
+                                        let _e1957 = (_e820.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1949)) - 8388608f) * _e1814)) ^ _e139)));
+                                        let _e1961 = select(select(_e820.member.member_1[2], _e1957, (_e1957 < _e820.member.member_1[2])), _e820.member.member_1[2], (_e1949 == 1023u));
+                                        let _e1966 = type_61(type_53(array<f32, 3>(_e1779, _e1801, _e1823), array<f32, 3>(_e1838, _e1853, _e1868)), _e1744.member_2);
+                                        let _e1971 = type_61(type_53(array<f32, 3>(_e1886, _e1901, _e1916), array<f32, 3>(_e1931, _e1946, _e1961)), _e1744.member_3);
+                                        let _e1977 = ((_e1779 - _e495) * _e500);
+                                        let _e1978 = ((_e1886 - _e495) * _e500);
+                                        let _e1979 = ((_e1838 - _e496) * _e500);
+                                        let _e1980 = ((_e1931 - _e496) * _e500);
+                                        let _e1985 = ((_e1801 - _e561) * _e566);
+                                        let _e1986 = ((_e1901 - _e561) * _e566);
+                                        let _e1987 = ((_e1853 - _e562) * _e566);
+                                        let _e1988 = ((_e1946 - _e562) * _e566);
+                                        let _e1993 = ((_e1823 - _e627) * _e632);
+                                        let _e1994 = ((_e1916 - _e627) * _e632);
+                                        let _e1995 = ((_e1868 - _e628) * _e632);
+                                        let _e1996 = ((_e1961 - _e628) * _e632);
+                                        let _e1998 = select(_e1995, _e1993, (_e1993 < _e1995));
+                                        let _e2000 = select(_e1996, _e1994, (_e1994 < _e1996));
+                                        let _e2002 = select(_e1995, _e1993, (_e1993 > _e1995));
+                                        let _e2004 = select(_e1996, _e1994, (_e1994 > _e1996));
+                                        let _e2006 = select(_e1979, _e1977, (_e1977 < _e1979));
+                                        let _e2008 = select(_e1980, _e1978, (_e1978 < _e1980));
+                                        let _e2010 = select(_e1987, _e1985, (_e1985 < _e1987));
+                                        let _e2012 = select(_e1988, _e1986, (_e1986 < _e1988));
+                                        let _e2014 = select(_e2010, _e2006, (_e2006 > _e2010));
+                                        let _e2016 = select(_e2012, _e2008, (_e2008 > _e2012));
+                                        let _e2018 = select(_e1998, _e2014, (_e2014 > _e1998));
+                                        let _e2020 = select(_e2000, _e2016, (_e2016 > _e2000));
+                                        let _e2022 = select(_e1979, _e1977, (_e1977 > _e1979));
+                                        let _e2024 = select(_e1980, _e1978, (_e1978 > _e1980));
+                                        let _e2026 = select(_e1987, _e1985, (_e1985 > _e1987));
+                                        let _e2028 = select(_e1988, _e1986, (_e1986 > _e1988));
+                                        let _e2030 = select(_e2026, _e2022, (_e2022 < _e2026));
+                                        let _e2032 = select(_e2028, _e2024, (_e2024 < _e2028));
+                                        let _e2037 = -(_e1998);
+                                        let _e2038 = -(_e2000);
+                                        let _e2045 = (select(_e2002, _e2030, (_e2030 < _e2002)) + (select(_e2037, _e2002, (_e2002 > _e2037)) * 0.0000019073523f));
+                                        let _e2046 = (select(_e2004, _e2032, (_e2032 < _e2004)) + (select(_e2038, _e2004, (_e2004 > _e2038)) * 0.0000019073523f));
+                                        let _e2048 = select(_e743, _e2018, (_e2018 > _e743));
+                                        let _e2050 = select(_e743, _e2020, (_e2020 > _e743));
+                                        let _e2055 = (_e2048 <= select(_e1739.member_1, _e2045, (_e2045 < _e1739.member_1)));
+                                        let _e2056 = (_e2050 <= select(_e1739.member_1, _e2046, (_e2046 < _e1739.member_1)));
+                                        let _e2057 = (_e2048 <= _e2050);
+                                        if _e2055 {
+                                            if _e2056 {
+                                                if _e2057 {
+                                                    phi_3947_ = _e1971;
                                                 } else {
-                                                    phi_3951_ = _e1056;
+                                                    phi_3947_ = _e1966;
                                                 }
-                                                let _e1149 = phi_3951_;
-                                                let _e1157 = (_e818 % 128u);
-                                                let _e1158 = (_e1157 < 128u);
-                                                if _e1158 {
+                                                let _e2059 = phi_3947_;
+                                                let _e2066 = (_e818 % 128u);
+                                                let _e2067 = (_e2066 < 128u);
+                                                if _e2067 {
                                                 } else {
-                                                    phi_4547_ = true;
+                                                    phi_4551_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1157] = _e1149.member_1;
-                                                if _e1158 {
+                                                local_6[_e2066] = _e2059.member_1;
+                                                if _e2067 {
                                                 } else {
-                                                    phi_4547_ = true;
+                                                    phi_4551_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1157] = _e1149.member.member[0];
-                                                if _e1158 {
+                                                local_5[_e2066] = _e2059.member.member[0];
+                                                if _e2067 {
                                                 } else {
-                                                    phi_4547_ = true;
+                                                    phi_4551_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1157] = _e1149.member.member[1];
-                                                if _e1158 {
+                                                local_4[_e2066] = _e2059.member.member[1];
+                                                if _e2067 {
                                                 } else {
-                                                    phi_4547_ = true;
+                                                    phi_4551_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1157] = _e1149.member.member[2];
-                                                if _e1158 {
+                                                local_3[_e2066] = _e2059.member.member[2];
+                                                if _e2067 {
                                                 } else {
-                                                    phi_4547_ = true;
+                                                    phi_4551_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1157] = _e1149.member.member_1[0];
-                                                if _e1158 {
+                                                local_2[_e2066] = _e2059.member.member_1[0];
+                                                if _e2067 {
                                                 } else {
-                                                    phi_4547_ = true;
+                                                    phi_4551_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1157] = _e1149.member.member_1[1];
-                                                if _e1158 {
+                                                local_1[_e2066] = _e2059.member.member_1[1];
+                                                if _e2067 {
                                                 } else {
-                                                    phi_4547_ = true;
+                                                    phi_4551_ = true;
                                                     break;
                                                 }
-                                                local[_e1157] = _e1149.member.member_1[2];
-                                                if _e1158 {
+                                                local[_e2066] = _e2059.member.member_1[2];
+                                                if _e2067 {
                                                 } else {
-                                                    phi_4547_ = true;
+                                                    phi_4551_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1157] = select(_e1140, _e1138, !(_e1147));
-                                                if _e1147 {
-                                                    phi_4028_ = _e1056;
+                                                local_7[_e2066] = select(_e2048, _e2050, _e2057);
+                                                if _e2057 {
+                                                    phi_4023_ = _e1966;
                                                 } else {
-                                                    phi_4028_ = _e1061;
+                                                    phi_4023_ = _e1971;
                                                 }
-                                                let _e1175 = phi_4028_;
-                                                phi_4029_ = (_e818 + 1u);
-                                                phi_4030_ = _e1175;
+                                                let _e2084 = phi_4023_;
+                                                phi_4024_ = (_e818 + 1u);
+                                                phi_4025_ = _e2084;
                                             } else {
-                                                phi_4029_ = u32();
-                                                phi_4030_ = type_61();
+                                                phi_4024_ = u32();
+                                                phi_4025_ = type_61();
                                             }
-                                            let _e1177 = phi_4029_;
-                                            let _e1179 = phi_4030_;
-                                            phi_4032_ = _e1177;
-                                            phi_4033_ = _e1179;
-                                            phi_4034_ = select(true, false, _e1146);
+                                            let _e2086 = phi_4024_;
+                                            let _e2088 = phi_4025_;
+                                            phi_4027_ = _e2086;
+                                            phi_4028_ = _e2088;
+                                            phi_4029_ = select(true, false, _e2056);
                                         } else {
-                                            phi_4032_ = u32();
-                                            phi_4033_ = type_61();
-                                            phi_4034_ = true;
+                                            phi_4027_ = u32();
+                                            phi_4028_ = type_61();
+                                            phi_4029_ = true;
                                         }
-                                        let _e1182 = phi_4032_;
-                                        let _e1184 = phi_4033_;
-                                        let _e1186 = phi_4034_;
-                                        if _e1186 {
-                                            if _e1145 {
-                                                phi_4041_ = _e1056;
+                                        let _e2091 = phi_4027_;
+                                        let _e2093 = phi_4028_;
+                                        let _e2095 = phi_4029_;
+                                        if _e2095 {
+                                            if _e2055 {
+                                                phi_4036_ = _e1966;
                                             } else {
-                                                phi_4041_ = _e1061;
+                                                phi_4036_ = _e1971;
                                             }
-                                            let _e1188 = phi_4041_;
-                                            phi_4046_ = select(_e1146, true, _e1145);
-                                            phi_4048_ = _e1188;
+                                            let _e2097 = phi_4036_;
+                                            phi_4041_ = select(_e2056, true, _e2055);
+                                            phi_4043_ = _e2097;
                                         } else {
-                                            phi_4046_ = _e816;
-                                            phi_4048_ = _e1184;
+                                            phi_4041_ = _e816;
+                                            phi_4043_ = _e2093;
                                         }
-                                        let _e1191 = phi_4046_;
-                                        let _e1193 = phi_4048_;
-                                        phi_4551_ = _e775;
-                                        phi_4052_ = _e777;
-                                        phi_4053_ = _e1191;
-                                        phi_4054_ = select(_e1182, _e818, _e1186);
-                                        phi_4055_ = _e1193;
+                                        let _e2100 = phi_4041_;
+                                        let _e2102 = phi_4043_;
+                                        phi_4047_ = _e2100;
+                                        phi_4048_ = select(_e2091, _e818, _e2095);
+                                        phi_4049_ = _e2102;
                                     }
-                                    let _e2102 = phi_4551_;
-                                    let _e2104 = phi_4052_;
-                                    let _e2106 = phi_4053_;
-                                    let _e2108 = phi_4054_;
-                                    let _e2110 = phi_4055_;
-                                    phi_4550_ = _e2102;
-                                    phi_4056_ = _e2104;
-                                    phi_4057_ = _e2106;
-                                    phi_4058_ = (_e781 - 1u);
-                                    phi_4059_ = _e2108;
-                                    phi_4060_ = _e2110;
+                                    let _e2105 = phi_4047_;
+                                    let _e2107 = phi_4048_;
+                                    let _e2109 = phi_4049_;
+                                    if _e824 {
+                                        phi_4059_ = _e820;
+                                    } else {
+                                        phi_4059_ = _e2109;
+                                    }
+                                    let _e2111 = phi_4059_;
+                                    phi_4554_ = _e1737;
+                                    phi_4060_ = _e1739;
+                                    phi_4061_ = (_e779 - 1u);
+                                    phi_4062_ = select(_e2105, false, _e824);
+                                    phi_4063_ = select(_e2107, _e818, _e824);
+                                    phi_4064_ = _e2111;
                                 } else {
-                                    phi_4550_ = _e775;
-                                    phi_4056_ = _e777;
-                                    phi_4057_ = _e816;
-                                    phi_4058_ = _e781;
-                                    phi_4059_ = _e818;
-                                    phi_4060_ = _e820;
+                                    phi_4554_ = _e775;
+                                    phi_4060_ = _e777;
+                                    phi_4061_ = _e779;
+                                    phi_4062_ = _e816;
+                                    phi_4063_ = _e818;
+                                    phi_4064_ = _e820;
                                 }
-                                let _e2112 = phi_4550_;
-                                let _e2114 = phi_4056_;
-                                let _e2116 = phi_4057_;
-                                let _e2118 = phi_4058_;
-                                let _e2120 = phi_4059_;
-                                let _e2122 = phi_4060_;
-                                phi_4549_ = _e2112;
-                                phi_4061_ = _e2114;
-                                phi_4062_ = _e2116;
-                                phi_4063_ = _e2118;
-                                phi_4064_ = _e2120;
-                                phi_4065_ = _e2122;
+                                let _e2115 = phi_4554_;
+                                let _e2117 = phi_4060_;
+                                let _e2119 = phi_4061_;
+                                let _e2121 = phi_4062_;
+                                let _e2123 = phi_4063_;
+                                let _e2125 = phi_4064_;
+                                phi_4553_ = _e2115;
+                                phi_4065_ = _e2117;
+                                phi_4066_ = _e2119;
+                                phi_4067_ = _e2121;
+                                phi_4068_ = _e2123;
+                                phi_4069_ = _e2125;
                             } else {
-                                phi_4549_ = _e775;
-                                phi_4061_ = type_38();
-                                phi_4062_ = bool();
-                                phi_4063_ = u32();
-                                phi_4064_ = u32();
-                                phi_4065_ = type_61();
+                                phi_4553_ = _e775;
+                                phi_4065_ = type_38();
+                                phi_4066_ = u32();
+                                phi_4067_ = bool();
+                                phi_4068_ = u32();
+                                phi_4069_ = type_61();
                             }
-                            let _e2124 = phi_4549_;
-                            let _e2126 = phi_4061_;
-                            let _e2128 = phi_4062_;
-                            let _e2130 = phi_4063_;
-                            let _e2132 = phi_4064_;
-                            let _e2134 = phi_4065_;
-                            phi_4548_ = _e2124;
-                            phi_1334_ = _e2126;
-                            phi_1337_ = _e2128;
-                            phi_1339_ = _e2130;
-                            phi_1341_ = _e2132;
-                            phi_1343_ = _e2134;
-                            phi_4066_ = _e789;
+                            let _e2127 = phi_4553_;
+                            let _e2129 = phi_4065_;
+                            let _e2131 = phi_4066_;
+                            let _e2133 = phi_4067_;
+                            let _e2135 = phi_4068_;
+                            let _e2137 = phi_4069_;
+                            phi_4552_ = _e2127;
+                            phi_1334_ = _e2129;
+                            phi_1337_ = _e2131;
+                            phi_1339_ = _e2133;
+                            phi_1341_ = _e2135;
+                            phi_1343_ = _e2137;
+                            phi_4070_ = _e789;
                         } else {
-                            phi_4548_ = _e775;
+                            phi_4552_ = _e775;
                             phi_1334_ = type_38();
-                            phi_1337_ = bool();
-                            phi_1339_ = u32();
+                            phi_1337_ = u32();
+                            phi_1339_ = bool();
                             phi_1341_ = u32();
                             phi_1343_ = type_61();
-                            phi_4066_ = false;
+                            phi_4070_ = false;
                         }
-                        let _e2136 = phi_4548_;
-                        let _e2138 = phi_1334_;
-                        let _e2140 = phi_1337_;
-                        let _e2142 = phi_1339_;
-                        let _e2144 = phi_1341_;
-                        let _e2146 = phi_1343_;
-                        let _e2148 = phi_4066_;
+                        let _e2139 = phi_4552_;
+                        let _e2141 = phi_1334_;
+                        let _e2143 = phi_1337_;
+                        let _e2145 = phi_1339_;
+                        let _e2147 = phi_1341_;
+                        let _e2149 = phi_1343_;
+                        let _e2151 = phi_4070_;
                         continue;
                         continuing {
-                            phi_4343_ = _e2136;
-                            phi_1333_ = _e2138;
-                            phi_1336_ = _e2140;
-                            phi_1338_ = _e2142;
-                            phi_1340_ = _e2144;
-                            phi_1342_ = _e2146;
-                            phi_4547_ = _e2136;
-                            break if !(_e2148);
+                            phi_4347_ = _e2139;
+                            phi_1333_ = _e2141;
+                            phi_1336_ = _e2143;
+                            phi_1338_ = _e2145;
+                            phi_1340_ = _e2147;
+                            phi_1342_ = _e2149;
+                            phi_4551_ = _e2139;
+                            break if !(_e2151);
                         }
                     }
-                    let _e2151 = phi_4547_;
-                    if _e2151 {
+                    let _e2154 = phi_4551_;
+                    if _e2154 {
                         break;
                     }
-                    let _e2153 = local_10;
-                    if (_e2153.member.member_3 != 4294967295u) {
-                        let _e2158 = bitcast<u32>(_e2153.member.member);
-                        let _e2162 = (bitcast<i32>((_e2158 >> bitcast<u32>(23i))) & 255i);
-                        let _e2163 = (_e2162 + _e412);
-                        if (_e2162 == 255i) {
-                            phi_4125_ = _e2153.member.member;
+                    let _e2156 = local_10;
+                    if (_e2156.member.member_3 != 4294967295u) {
+                        let _e2161 = bitcast<u32>(_e2156.member.member);
+                        let _e2165 = (bitcast<i32>((_e2161 >> bitcast<u32>(23i))) & 255i);
+                        let _e2166 = (_e2165 + _e412);
+                        if (_e2165 == 255i) {
+                            phi_4129_ = _e2156.member.member;
                         } else {
-                            if (_e2162 > 0i) {
-                                if (_e2163 > 0i) {
-                                    let _e2167 = (_e2163 < 255i);
-                                    if _e2167 {
-                                        phi_4104_ = bitcast<f32>((_e2158 + bitcast<u32>((_e412 << bitcast<u32>(23i)))));
+                            if (_e2165 > 0i) {
+                                if (_e2166 > 0i) {
+                                    let _e2170 = (_e2166 < 255i);
+                                    if _e2170 {
+                                        phi_4108_ = bitcast<f32>((_e2161 + bitcast<u32>((_e412 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4104_ = f32();
+                                        phi_4108_ = f32();
                                     }
-                                    let _e2174 = phi_4104_;
-                                    phi_4106_ = _e2174;
-                                    phi_4107_ = select(true, false, _e2167);
+                                    let _e2177 = phi_4108_;
+                                    phi_4110_ = _e2177;
+                                    phi_4111_ = select(true, false, _e2170);
                                 } else {
-                                    phi_4106_ = f32();
-                                    phi_4107_ = true;
+                                    phi_4110_ = f32();
+                                    phi_4111_ = true;
                                 }
-                                let _e2177 = phi_4106_;
-                                let _e2179 = phi_4107_;
-                                phi_4108_ = _e2177;
-                                phi_4109_ = _e2179;
+                                let _e2180 = phi_4110_;
+                                let _e2182 = phi_4111_;
+                                phi_4112_ = _e2180;
+                                phi_4113_ = _e2182;
                             } else {
-                                phi_4108_ = f32();
-                                phi_4109_ = true;
+                                phi_4112_ = f32();
+                                phi_4113_ = true;
                             }
-                            let _e2181 = phi_4108_;
-                            let _e2183 = phi_4109_;
-                            if _e2183 {
-                                let _e2184 = (_e2158 & 2147483648u);
-                                let _e2191 = ((_e2158 & 8388607u) | (select(0u, 1u, ((_e2158 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2195 = (_e2191 == 0u);
-                                if _e2195 {
-                                    phi_4307_ = bitcast<f32>(_e2184);
+                            let _e2184 = phi_4112_;
+                            let _e2186 = phi_4113_;
+                            if _e2186 {
+                                let _e2187 = (_e2161 & 2147483648u);
+                                let _e2194 = ((_e2161 & 8388607u) | (select(0u, 1u, ((_e2161 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2198 = (_e2194 == 0u);
+                                if _e2198 {
+                                    phi_4311_ = bitcast<f32>(_e2187);
                                 } else {
-                                    let _e2200 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2191)), 32u, _e2195) - 8u);
-                                    let _e2203 = (_e2191 << bitcast<u32>((_e2200 & 31u)));
-                                    let _e2205 = ((_e2163 + select(0i, 1i, (_e2162 == 0i))) - bitcast<i32>(_e2200));
-                                    if (_e2205 >= 255i) {
-                                        phi_4297_ = bitcast<f32>((_e2184 | 2139095040u));
-                                        phi_4298_ = f32();
-                                        phi_4299_ = true;
+                                    let _e2203 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2194)), 32u, _e2198) - 8u);
+                                    let _e2206 = (_e2194 << bitcast<u32>((_e2203 & 31u)));
+                                    let _e2208 = ((_e2166 + select(0i, 1i, (_e2165 == 0i))) - bitcast<i32>(_e2203));
+                                    if (_e2208 >= 255i) {
+                                        phi_4301_ = bitcast<f32>((_e2187 | 2139095040u));
+                                        phi_4302_ = f32();
+                                        phi_4303_ = true;
                                     } else {
-                                        let _e2207 = (_e2205 > 0i);
-                                        if _e2207 {
-                                            phi_4291_ = bitcast<f32>(((_e2184 | (bitcast<u32>(_e2205) << bitcast<u32>(23i))) | (_e2203 & 8388607u)));
-                                            phi_4292_ = f32();
+                                        let _e2210 = (_e2208 > 0i);
+                                        if _e2210 {
+                                            phi_4295_ = bitcast<f32>(((_e2187 | (bitcast<u32>(_e2208) << bitcast<u32>(23i))) | (_e2206 & 8388607u)));
+                                            phi_4296_ = f32();
                                         } else {
-                                            if (_e2205 < -24i) {
-                                                phi_4257_ = 26u;
+                                            if (_e2208 < -24i) {
+                                                phi_4261_ = 26u;
                                             } else {
-                                                phi_4257_ = bitcast<u32>((1i - _e2205));
+                                                phi_4261_ = bitcast<u32>((1i - _e2208));
                                             }
-                                            let _e2212 = phi_4257_;
-                                            let _e2213 = (_e2212 & 31u);
-                                            let _e2215 = (_e2203 >> bitcast<u32>(_e2213));
-                                            let _e2219 = (_e2203 & ((1u << bitcast<u32>(_e2213)) - 1u));
-                                            let _e2223 = (1u << bitcast<u32>(((_e2212 - 1u) & 31u)));
-                                            if (_e2219 > _e2223) {
-                                                phi_4278_ = true;
+                                            let _e2215 = phi_4261_;
+                                            let _e2216 = (_e2215 & 31u);
+                                            let _e2218 = (_e2206 >> bitcast<u32>(_e2216));
+                                            let _e2222 = (_e2206 & ((1u << bitcast<u32>(_e2216)) - 1u));
+                                            let _e2226 = (1u << bitcast<u32>(((_e2215 - 1u) & 31u)));
+                                            if (_e2222 > _e2226) {
+                                                phi_4282_ = true;
                                             } else {
-                                                if (_e2219 == _e2223) {
-                                                    phi_4275_ = ((_e2215 & 1u) == 1u);
+                                                if (_e2222 == _e2226) {
+                                                    phi_4279_ = ((_e2218 & 1u) == 1u);
                                                 } else {
-                                                    phi_4275_ = false;
+                                                    phi_4279_ = false;
                                                 }
-                                                let _e2229 = phi_4275_;
-                                                phi_4278_ = _e2229;
+                                                let _e2232 = phi_4279_;
+                                                phi_4282_ = _e2232;
                                             }
-                                            let _e2231 = phi_4278_;
-                                            phi_4291_ = f32();
-                                            phi_4292_ = bitcast<f32>((_e2184 | (_e2215 + select(0u, 1u, _e2231))));
+                                            let _e2234 = phi_4282_;
+                                            phi_4295_ = f32();
+                                            phi_4296_ = bitcast<f32>((_e2187 | (_e2218 + select(0u, 1u, _e2234))));
                                         }
-                                        let _e2244 = phi_4291_;
-                                        let _e2246 = phi_4292_;
-                                        phi_4297_ = _e2244;
-                                        phi_4298_ = _e2246;
-                                        phi_4299_ = _e2207;
+                                        let _e2247 = phi_4295_;
+                                        let _e2249 = phi_4296_;
+                                        phi_4301_ = _e2247;
+                                        phi_4302_ = _e2249;
+                                        phi_4303_ = _e2210;
                                     }
-                                    let _e2250 = phi_4297_;
-                                    let _e2252 = phi_4298_;
-                                    let _e2254 = phi_4299_;
-                                    phi_4307_ = select(_e2252, _e2250, _e2254);
+                                    let _e2253 = phi_4301_;
+                                    let _e2255 = phi_4302_;
+                                    let _e2257 = phi_4303_;
+                                    phi_4311_ = select(_e2255, _e2253, _e2257);
                                 }
-                                let _e2258 = phi_4307_;
-                                phi_4124_ = _e2258;
+                                let _e2261 = phi_4311_;
+                                phi_4128_ = _e2261;
                             } else {
-                                phi_4124_ = _e2181;
+                                phi_4128_ = _e2184;
                             }
-                            let _e2260 = phi_4124_;
-                            phi_4125_ = _e2260;
+                            let _e2263 = phi_4128_;
+                            phi_4129_ = _e2263;
                         }
-                        let _e2262 = phi_4125_;
-                        let _e2263 = bitcast<u32>(_e2262);
-                        if ((_e2263 & 2147483647u) >= 2139095040u) {
-                            phi_4137_ = bitcast<f32>(((_e2263 & 2147483648u) | 2139095039u));
+                        let _e2265 = phi_4129_;
+                        let _e2266 = bitcast<u32>(_e2265);
+                        if ((_e2266 & 2147483647u) >= 2139095040u) {
+                            phi_4141_ = bitcast<f32>(((_e2266 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4137_ = _e2262;
+                            phi_4141_ = _e2265;
                         }
-                        let _e2270 = phi_4137_;
-                        phi_4142_ = type_22(_e2270, _e2153.member.member_1, _e2153.member.member_2, _e2153.member.member_3);
+                        let _e2273 = phi_4141_;
+                        phi_4146_ = type_22(_e2273, _e2156.member.member_1, _e2156.member.member_2, _e2156.member.member_3);
                     } else {
-                        phi_4142_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4146_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2275 = phi_4142_;
+                    let _e2278 = phi_4146_;
                     if _e289 {
                     } else {
                         break;
                     }
-                    global_7.member[_e143] = _e2275;
+                    global_7.member[_e143] = _e2278;
                     if _e150 {
                     } else {
                         break;
                     }
-                    let _e2279 = select(0u, 1u, (_e356 <= _e366));
-                    if (_e2279 > 0u) {
-                        let _e2281 = (1u < _e111);
-                        if _e2281 {
+                    let _e2282 = select(0u, 1u, (_e356 <= _e366));
+                    if (_e2282 > 0u) {
+                        let _e2284 = (1u < _e111);
+                        if _e2284 {
                             if (0u < _e111) {
                             } else {
                                 break;
                             }
-                            let _e2285 = atomicAdd((&global_8.member[0u]), _e2279);
-                            if ((_e2285 + _e2279) < _e2285) {
-                                if _e2281 {
+                            let _e2288 = atomicAdd((&global_8.member[0u]), _e2282);
+                            if ((_e2288 + _e2282) < _e2288) {
+                                if _e2284 {
                                 } else {
                                     break;
                                 }
-                                let _e2290 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e2293 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2293 = select(0u, 1u, (_e2275.member_3 != 4294967295u));
-                    if (_e2293 > 0u) {
-                        let _e2295 = (3u < _e111);
-                        if _e2295 {
+                    let _e2296 = select(0u, 1u, (_e2278.member_3 != 4294967295u));
+                    if (_e2296 > 0u) {
+                        let _e2298 = (3u < _e111);
+                        if _e2298 {
                             if (2u < _e111) {
                             } else {
                                 break;
                             }
-                            let _e2299 = atomicAdd((&global_8.member[2u]), _e2293);
-                            if ((_e2299 + _e2293) < _e2299) {
-                                if _e2295 {
+                            let _e2302 = atomicAdd((&global_8.member[2u]), _e2296);
+                            if ((_e2302 + _e2296) < _e2302) {
+                                if _e2298 {
                                 } else {
                                     break;
                                 }
-                                let _e2304 = atomicAdd((&global_8.member[3u]), 1u);
+                                let _e2307 = atomicAdd((&global_8.member[3u]), 1u);
                             }
                         }
                     }

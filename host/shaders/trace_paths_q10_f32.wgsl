@@ -164,34 +164,16 @@ fn function_() {
     var phi_1290_: u32;
     var phi_1298_: f32;
     var phi_1299_: f32;
-    var phi_4609_: bool;
+    var phi_4613_: bool;
     var phi_1395_: type_48;
-    var phi_1398_: bool;
-    var phi_1400_: u32;
+    var phi_1398_: u32;
+    var phi_1400_: bool;
     var phi_1402_: u32;
     var phi_1404_: type_62;
     var phi_1415_: bool;
     var phi_1501_: bool;
     var phi_1502_: u32;
     var phi_1503_: type_62;
-    var phi_3654_: u32;
-    var phi_3655_: u32;
-    var phi_3665_: u32;
-    var phi_3667_: u32;
-    var phi_3668_: bool;
-    var phi_3688_: u32;
-    var phi_3689_: u32;
-    var phi_3693_: type_63;
-    var phi_4055_: type_62;
-    var phi_4132_: type_62;
-    var phi_4133_: u32;
-    var phi_4134_: type_62;
-    var phi_4136_: u32;
-    var phi_4137_: type_62;
-    var phi_4138_: bool;
-    var phi_4147_: type_62;
-    var phi_4152_: bool;
-    var phi_4154_: type_62;
     var phi_1521_: type_48;
     var phi_1524_: type_8;
     var phi_1525_: type_8;
@@ -251,51 +233,70 @@ fn function_() {
     var phi_2921_: type_48;
     var phi_2922_: type_48;
     var phi_1522_: type_48;
-    var phi_4603_: bool;
-    var phi_4799_: bool;
-    var phi_4158_: type_48;
-    var phi_4159_: bool;
-    var phi_4160_: u32;
-    var phi_4161_: type_62;
-    var phi_4798_: bool;
-    var phi_4162_: type_48;
-    var phi_4163_: bool;
-    var phi_4164_: u32;
-    var phi_4165_: u32;
-    var phi_4166_: type_62;
-    var phi_4797_: bool;
-    var phi_4167_: type_48;
+    var phi_4607_: bool;
+    var phi_4885_: bool;
+    var phi_2923_: type_48;
+    var phi_3650_: u32;
+    var phi_3651_: u32;
+    var phi_3661_: u32;
+    var phi_3663_: u32;
+    var phi_3664_: bool;
+    var phi_3684_: u32;
+    var phi_3685_: u32;
+    var phi_3689_: type_63;
+    var phi_4051_: type_62;
+    var phi_4127_: type_62;
+    var phi_4128_: u32;
+    var phi_4129_: type_62;
+    var phi_4131_: u32;
+    var phi_4132_: type_62;
+    var phi_4133_: bool;
+    var phi_4142_: type_62;
+    var phi_4147_: bool;
+    var phi_4149_: type_62;
+    var phi_4153_: bool;
+    var phi_4154_: u32;
+    var phi_4155_: type_62;
+    var phi_4165_: type_62;
+    var phi_4802_: bool;
+    var phi_4166_: type_48;
+    var phi_4167_: u32;
     var phi_4168_: bool;
     var phi_4169_: u32;
-    var phi_4170_: u32;
-    var phi_4171_: type_62;
-    var phi_4796_: bool;
+    var phi_4170_: type_62;
+    var phi_4801_: bool;
+    var phi_4171_: type_48;
+    var phi_4172_: u32;
+    var phi_4173_: bool;
+    var phi_4174_: u32;
+    var phi_4175_: type_62;
+    var phi_4800_: bool;
     var phi_1396_: type_48;
-    var phi_1399_: bool;
-    var phi_1401_: u32;
+    var phi_1399_: u32;
+    var phi_1401_: bool;
     var phi_1403_: u32;
     var phi_1405_: type_62;
-    var phi_4172_: bool;
-    var phi_4795_: bool;
+    var phi_4176_: bool;
+    var phi_4799_: bool;
     var local_10: type_48;
-    var phi_4210_: f32;
-    var phi_4212_: f32;
-    var phi_4213_: bool;
     var phi_4214_: f32;
-    var phi_4215_: bool;
-    var phi_4511_: u32;
-    var phi_4529_: bool;
-    var phi_4532_: bool;
-    var phi_4545_: f32;
-    var phi_4546_: f32;
-    var phi_4551_: f32;
-    var phi_4552_: f32;
-    var phi_4553_: bool;
-    var phi_4561_: f32;
-    var phi_4230_: f32;
-    var phi_4231_: f32;
-    var phi_4243_: f32;
-    var phi_4248_: type_30;
+    var phi_4216_: f32;
+    var phi_4217_: bool;
+    var phi_4218_: f32;
+    var phi_4219_: bool;
+    var phi_4515_: u32;
+    var phi_4533_: bool;
+    var phi_4536_: bool;
+    var phi_4549_: f32;
+    var phi_4550_: f32;
+    var phi_4555_: f32;
+    var phi_4556_: f32;
+    var phi_4557_: bool;
+    var phi_4565_: f32;
+    var phi_4234_: f32;
+    var phi_4235_: f32;
+    var phi_4247_: f32;
+    var phi_4252_: type_30;
     var local_11: type_48;
 
     switch bitcast<i32>(0u) {
@@ -698,31 +699,31 @@ fn function_() {
                         break;
                     }
                     let _e791 = local[_e775];
-                    phi_4609_ = false;
+                    phi_4613_ = false;
                     phi_1395_ = type_48(type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e757);
-                    phi_1398_ = (_e759 <= _e757);
-                    phi_1400_ = ((3u * _e105) + 1u);
+                    phi_1398_ = ((3u * _e105) + 1u);
+                    phi_1400_ = (_e759 <= _e757);
                     phi_1402_ = 0u;
                     phi_1404_ = type_62(type_42(vec4<f32>((f32(_e766) * _e163), (f32(_e772) * _e163), (f32(_e778) * _e163), 0f), vec4<f32>((f32(_e783) * _e163), (f32(_e787) * _e163), (f32(_e791) * _e163), 0f)), select(0u, 2147483648u, (_e105 == 0u)));
                     loop {
-                        let _e801 = phi_4609_;
+                        let _e801 = phi_4613_;
                         let _e803 = phi_1395_;
                         let _e805 = phi_1398_;
                         let _e807 = phi_1400_;
                         let _e809 = phi_1402_;
                         let _e811 = phi_1404_;
                         local_10 = _e803;
-                        if _e805 {
+                        if _e807 {
                             phi_1415_ = true;
                         } else {
                             phi_1415_ = (_e809 > 0u);
                         }
                         let _e814 = phi_1415_;
                         if _e814 {
-                            let _e815 = (_e807 > 0u);
+                            let _e815 = (_e805 > 0u);
                             if _e815 {
-                                if _e805 {
-                                    phi_1501_ = _e805;
+                                if _e807 {
+                                    phi_1501_ = _e807;
                                     phi_1502_ = _e809;
                                     phi_1503_ = _e811;
                                 } else {
@@ -731,49 +732,49 @@ fn function_() {
                                     let _e818 = (_e817 < 128u);
                                     if _e818 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e820 = local_7[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e822 = local_6[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e824 = local_5[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e826 = local_4[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e828 = local_3[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e830 = local_2[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e835 = local_8[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e838 = local_9[_e817];
@@ -785,1057 +786,1067 @@ fn function_() {
                                 let _e844 = phi_1502_;
                                 let _e846 = phi_1503_;
                                 if _e842 {
-                                    if ((_e846.member_1 & 2147483648u) != 0u) {
+                                    let _e850 = ((_e846.member_1 & 2147483648u) != 0u);
+                                    if _e850 {
                                         phi_1521_ = _e803;
                                         phi_1524_ = type_8(0u, ((_e846.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1296 = phi_1521_;
-                                            let _e1298 = phi_1524_;
-                                            local_11 = _e1296;
-                                            if (_e1298.member < _e1298.member_1) {
-                                                phi_1525_ = type_8((_e1298.member + 1u), _e1298.member_1);
-                                                phi_1547_ = type_8(1u, _e1298.member);
+                                            let _e857 = phi_1521_;
+                                            let _e859 = phi_1524_;
+                                            local_11 = _e857;
+                                            if (_e859.member < _e859.member_1) {
+                                                phi_1525_ = type_8((_e859.member + 1u), _e859.member_1);
+                                                phi_1547_ = type_8(1u, _e859.member);
                                             } else {
-                                                phi_1525_ = _e1298;
+                                                phi_1525_ = _e859;
                                                 phi_1547_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1311 = phi_1525_;
-                                            let _e1313 = phi_1547_;
-                                            let _e1317 = (bitcast<i32>(_e1313.member) != 0i);
-                                            if _e1317 {
-                                                let _e1318 = ((_e846.member_1 & 268435455u) + _e1313.member_1);
-                                                let _e1319 = (_e1318 < _e107);
-                                                if _e1319 {
-                                                    if _e1319 {
+                                            let _e872 = phi_1525_;
+                                            let _e874 = phi_1547_;
+                                            let _e878 = (bitcast<i32>(_e874.member) != 0i);
+                                            if _e878 {
+                                                let _e879 = ((_e846.member_1 & 268435455u) + _e874.member_1);
+                                                let _e880 = (_e879 < _e107);
+                                                if _e880 {
+                                                    if _e880 {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1323 = global_5.member[_e1318].member_1;
-                                                    phi_1568_ = _e1323;
+                                                    let _e884 = global_5.member[_e879].member_1;
+                                                    phi_1568_ = _e884;
                                                 } else {
                                                     phi_1568_ = 4294967295u;
                                                 }
-                                                let _e1325 = phi_1568_;
-                                                if (_e1318 >= _e107) {
+                                                let _e886 = phi_1568_;
+                                                if (_e879 >= _e107) {
                                                     phi_1660_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1319 {
+                                                    if _e880 {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
                                                     if (_e763 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1332 = global_5.member[_e1318].member[_e763];
+                                                    let _e893 = global_5.member[_e879].member[_e763];
                                                     if (_e769 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1338 = global_5.member[_e1318].member[_e769];
+                                                    let _e899 = global_5.member[_e879].member[_e769];
                                                     if (_e775 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1344 = global_5.member[_e1318].member[_e775];
-                                                    let _e1346 = (3u + _e763);
-                                                    if (_e1346 < 9u) {
+                                                    let _e905 = global_5.member[_e879].member[_e775];
+                                                    let _e907 = (3u + _e763);
+                                                    if (_e907 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1352 = global_5.member[_e1318].member[_e1346];
-                                                    let _e1353 = (3u + _e769);
-                                                    if (_e1353 < 9u) {
+                                                    let _e913 = global_5.member[_e879].member[_e907];
+                                                    let _e914 = (3u + _e769);
+                                                    if (_e914 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1359 = global_5.member[_e1318].member[_e1353];
-                                                    let _e1360 = (3u + _e775);
-                                                    if (_e1360 < 9u) {
+                                                    let _e920 = global_5.member[_e879].member[_e914];
+                                                    let _e921 = (3u + _e775);
+                                                    if (_e921 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1366 = global_5.member[_e1318].member[_e1360];
-                                                    let _e1368 = (6u + _e763);
-                                                    if (_e1368 < 9u) {
+                                                    let _e927 = global_5.member[_e879].member[_e921];
+                                                    let _e929 = (6u + _e763);
+                                                    if (_e929 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1374 = global_5.member[_e1318].member[_e1368];
-                                                    let _e1375 = (6u + _e769);
-                                                    if (_e1375 < 9u) {
+                                                    let _e935 = global_5.member[_e879].member[_e929];
+                                                    let _e936 = (6u + _e769);
+                                                    if (_e936 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1381 = global_5.member[_e1318].member[_e1375];
-                                                    let _e1382 = (6u + _e775);
-                                                    if (_e1382 < 9u) {
+                                                    let _e942 = global_5.member[_e879].member[_e936];
+                                                    let _e943 = (6u + _e775);
+                                                    if (_e943 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1388 = global_5.member[_e1318].member[_e1382];
-                                                    phi_1660_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1332, _e1338, _e1344), array<f32, 3>(_e1352, _e1359, _e1366), array<f32, 3>(_e1374, _e1381, _e1388));
+                                                    let _e949 = global_5.member[_e879].member[_e943];
+                                                    phi_1660_ = array<array<f32, 3>, 3>(array<f32, 3>(_e893, _e899, _e905), array<f32, 3>(_e913, _e920, _e927), array<f32, 3>(_e935, _e942, _e949));
                                                 }
-                                                let _e1392 = phi_1660_;
-                                                let _e1400 = (_e1392[0][2] - _e606);
-                                                let _e1403 = (((_e1392[0][0] - _e473) * _e645) - (_e1400 * _e513));
-                                                let _e1406 = (((_e1392[0][1] - _e540) * _e645) - (_e1400 * _e579));
-                                                let _e1413 = (_e1392[1][2] - _e606);
-                                                let _e1416 = (((_e1392[1][0] - _e473) * _e645) - (_e1413 * _e513));
-                                                let _e1419 = (((_e1392[1][1] - _e540) * _e645) - (_e1413 * _e579));
-                                                let _e1426 = (_e1392[2][2] - _e606);
-                                                let _e1429 = (((_e1392[2][0] - _e473) * _e645) - (_e1426 * _e513));
-                                                let _e1432 = (((_e1392[2][1] - _e540) * _e645) - (_e1426 * _e579));
-                                                let _e1433 = (_e1429 * _e1419);
-                                                let _e1434 = (_e1432 * _e1416);
-                                                let _e1435 = (_e1403 * _e1432);
-                                                let _e1436 = (_e1406 * _e1429);
-                                                let _e1437 = (_e1416 * _e1406);
-                                                let _e1438 = (_e1419 * _e1403);
-                                                let _e1443 = (((_e1433 >= _e1434) && (_e1435 >= _e1436)) && (_e1437 >= _e1438));
-                                                if (_e1443 || (((_e1433 <= _e1434) && (_e1435 <= _e1436)) && (_e1437 <= _e1438))) {
-                                                    let _e1450 = select(-1f, 1f, _e1443);
-                                                    let _e1452 = ((_e1433 - _e1434) * _e1450);
-                                                    let _e1454 = select(0f, _e1452, (_e1452 > 0f));
-                                                    let _e1456 = ((_e1435 - _e1436) * _e1450);
-                                                    let _e1458 = select(0f, _e1456, (_e1456 > 0f));
-                                                    let _e1460 = ((_e1437 - _e1438) * _e1450);
-                                                    let _e1462 = select(0f, _e1460, (_e1460 > 0f));
-                                                    let _e1464 = ((_e1454 + _e1458) + _e1462);
-                                                    if (_e1464 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e953 = phi_1660_;
+                                                let _e961 = (_e953[0][2] - _e606);
+                                                let _e964 = (((_e953[0][0] - _e473) * _e645) - (_e961 * _e513));
+                                                let _e967 = (((_e953[0][1] - _e540) * _e645) - (_e961 * _e579));
+                                                let _e974 = (_e953[1][2] - _e606);
+                                                let _e977 = (((_e953[1][0] - _e473) * _e645) - (_e974 * _e513));
+                                                let _e980 = (((_e953[1][1] - _e540) * _e645) - (_e974 * _e579));
+                                                let _e987 = (_e953[2][2] - _e606);
+                                                let _e990 = (((_e953[2][0] - _e473) * _e645) - (_e987 * _e513));
+                                                let _e993 = (((_e953[2][1] - _e540) * _e645) - (_e987 * _e579));
+                                                let _e994 = (_e990 * _e980);
+                                                let _e995 = (_e993 * _e977);
+                                                let _e996 = (_e964 * _e993);
+                                                let _e997 = (_e967 * _e990);
+                                                let _e998 = (_e977 * _e967);
+                                                let _e999 = (_e980 * _e964);
+                                                let _e1004 = (((_e994 >= _e995) && (_e996 >= _e997)) && (_e998 >= _e999));
+                                                if (_e1004 || (((_e994 <= _e995) && (_e996 <= _e997)) && (_e998 <= _e999))) {
+                                                    let _e1011 = select(-1f, 1f, _e1004);
+                                                    let _e1013 = ((_e994 - _e995) * _e1011);
+                                                    let _e1015 = select(0f, _e1013, (_e1013 > 0f));
+                                                    let _e1017 = ((_e996 - _e997) * _e1011);
+                                                    let _e1019 = select(0f, _e1017, (_e1017 > 0f));
+                                                    let _e1021 = ((_e998 - _e999) * _e1011);
+                                                    let _e1023 = select(0f, _e1021, (_e1021 > 0f));
+                                                    let _e1025 = ((_e1015 + _e1019) + _e1023);
+                                                    if (_e1025 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2544_ = type_30();
                                                         phi_2545_ = true;
                                                         phi_2546_ = false;
                                                     } else {
-                                                        let _e1467 = select(_e1416, _e1403, (_e1403 < _e1416));
-                                                        if (select(_e1429, _e1467, (_e1467 < _e1429)) > 0f) {
+                                                        let _e1028 = select(_e977, _e964, (_e964 < _e977));
+                                                        if (select(_e990, _e1028, (_e1028 < _e990)) > 0f) {
                                                             phi_1812_ = true;
                                                         } else {
-                                                            let _e1472 = select(_e1416, _e1403, (_e1403 > _e1416));
-                                                            phi_1812_ = (select(_e1429, _e1472, (_e1472 > _e1429)) < 0f);
+                                                            let _e1033 = select(_e977, _e964, (_e964 > _e977));
+                                                            phi_1812_ = (select(_e990, _e1033, (_e1033 > _e990)) < 0f);
                                                         }
-                                                        let _e1477 = phi_1812_;
-                                                        if _e1477 {
+                                                        let _e1038 = phi_1812_;
+                                                        if _e1038 {
                                                             phi_2541_ = type_30();
                                                             phi_2542_ = true;
                                                             phi_2543_ = false;
                                                         } else {
-                                                            let _e1479 = select(_e1419, _e1406, (_e1406 < _e1419));
-                                                            if (select(_e1432, _e1479, (_e1479 < _e1432)) > 0f) {
+                                                            let _e1040 = select(_e980, _e967, (_e967 < _e980));
+                                                            if (select(_e993, _e1040, (_e1040 < _e993)) > 0f) {
                                                                 phi_1841_ = true;
                                                             } else {
-                                                                let _e1484 = select(_e1419, _e1406, (_e1406 > _e1419));
-                                                                phi_1841_ = (select(_e1432, _e1484, (_e1484 > _e1432)) < 0f);
+                                                                let _e1045 = select(_e980, _e967, (_e967 > _e980));
+                                                                phi_1841_ = (select(_e993, _e1045, (_e1045 > _e993)) < 0f);
                                                             }
-                                                            let _e1489 = phi_1841_;
-                                                            if _e1489 {
+                                                            let _e1050 = phi_1841_;
+                                                            if _e1050 {
                                                                 phi_2539_ = type_30();
                                                                 phi_2540_ = false;
                                                             } else {
-                                                                let _e1491 = select(_e1392[1][0], _e1392[0][0], (_e1392[0][0] < _e1392[1][0]));
-                                                                let _e1495 = select(_e1392[1][0], _e1392[0][0], (_e1392[0][0] > _e1392[1][0]));
-                                                                let _e1499 = select(_e1392[1][1], _e1392[0][1], (_e1392[0][1] < _e1392[1][1]));
-                                                                let _e1503 = select(_e1392[1][1], _e1392[0][1], (_e1392[0][1] > _e1392[1][1]));
-                                                                let _e1507 = select(_e1392[1][2], _e1392[0][2], (_e1392[0][2] < _e1392[1][2]));
-                                                                let _e1511 = select(_e1392[1][2], _e1392[0][2], (_e1392[0][2] > _e1392[1][2]));
-                                                                let _e1516 = ((select(_e1392[2][0], _e1491, (_e1491 < _e1392[2][0])) - _e511) * _e516);
-                                                                let _e1517 = ((select(_e1392[2][0], _e1495, (_e1495 > _e1392[2][0])) - _e512) * _e516);
-                                                                let _e1520 = ((select(_e1392[2][1], _e1499, (_e1499 < _e1392[2][1])) - _e577) * _e582);
-                                                                let _e1521 = ((select(_e1392[2][1], _e1503, (_e1503 > _e1392[2][1])) - _e578) * _e582);
-                                                                let _e1524 = ((select(_e1392[2][2], _e1507, (_e1507 < _e1392[2][2])) - _e643) * _e648);
-                                                                let _e1525 = ((select(_e1392[2][2], _e1511, (_e1511 > _e1392[2][2])) - _e644) * _e648);
-                                                                let _e1527 = select(_e1525, _e1524, (_e1524 < _e1525));
-                                                                let _e1529 = select(_e1525, _e1524, (_e1524 > _e1525));
-                                                                let _e1531 = select(_e1517, _e1516, (_e1516 < _e1517));
-                                                                let _e1533 = select(_e1521, _e1520, (_e1520 < _e1521));
-                                                                let _e1535 = select(_e1533, _e1531, (_e1531 > _e1533));
-                                                                let _e1537 = select(_e1527, _e1535, (_e1535 > _e1527));
-                                                                let _e1539 = select(_e1517, _e1516, (_e1516 > _e1517));
-                                                                let _e1541 = select(_e1521, _e1520, (_e1520 > _e1521));
-                                                                let _e1543 = select(_e1541, _e1539, (_e1539 < _e1541));
-                                                                let _e1545 = select(_e1529, _e1543, (_e1543 < _e1529));
-                                                                let _e1546 = -(_e1527);
-                                                                let _e1552 = select(_e759, _e1537, (_e1537 > _e759));
-                                                                if (_e1552 > (_e1545 + (select(_e1546, _e1529, (_e1529 > _e1546)) * 0.0000019073523f))) {
+                                                                let _e1052 = select(_e953[1][0], _e953[0][0], (_e953[0][0] < _e953[1][0]));
+                                                                let _e1056 = select(_e953[1][0], _e953[0][0], (_e953[0][0] > _e953[1][0]));
+                                                                let _e1060 = select(_e953[1][1], _e953[0][1], (_e953[0][1] < _e953[1][1]));
+                                                                let _e1064 = select(_e953[1][1], _e953[0][1], (_e953[0][1] > _e953[1][1]));
+                                                                let _e1068 = select(_e953[1][2], _e953[0][2], (_e953[0][2] < _e953[1][2]));
+                                                                let _e1072 = select(_e953[1][2], _e953[0][2], (_e953[0][2] > _e953[1][2]));
+                                                                let _e1077 = ((select(_e953[2][0], _e1052, (_e1052 < _e953[2][0])) - _e511) * _e516);
+                                                                let _e1078 = ((select(_e953[2][0], _e1056, (_e1056 > _e953[2][0])) - _e512) * _e516);
+                                                                let _e1081 = ((select(_e953[2][1], _e1060, (_e1060 < _e953[2][1])) - _e577) * _e582);
+                                                                let _e1082 = ((select(_e953[2][1], _e1064, (_e1064 > _e953[2][1])) - _e578) * _e582);
+                                                                let _e1085 = ((select(_e953[2][2], _e1068, (_e1068 < _e953[2][2])) - _e643) * _e648);
+                                                                let _e1086 = ((select(_e953[2][2], _e1072, (_e1072 > _e953[2][2])) - _e644) * _e648);
+                                                                let _e1088 = select(_e1086, _e1085, (_e1085 < _e1086));
+                                                                let _e1090 = select(_e1086, _e1085, (_e1085 > _e1086));
+                                                                let _e1092 = select(_e1078, _e1077, (_e1077 < _e1078));
+                                                                let _e1094 = select(_e1082, _e1081, (_e1081 < _e1082));
+                                                                let _e1096 = select(_e1094, _e1092, (_e1092 > _e1094));
+                                                                let _e1098 = select(_e1088, _e1096, (_e1096 > _e1088));
+                                                                let _e1100 = select(_e1078, _e1077, (_e1077 > _e1078));
+                                                                let _e1102 = select(_e1082, _e1081, (_e1081 > _e1082));
+                                                                let _e1104 = select(_e1102, _e1100, (_e1100 < _e1102));
+                                                                let _e1106 = select(_e1090, _e1104, (_e1104 < _e1090));
+                                                                let _e1107 = -(_e1088);
+                                                                let _e1113 = select(_e759, _e1098, (_e1098 > _e759));
+                                                                if (_e1113 > (_e1106 + (select(_e1107, _e1090, (_e1090 > _e1107)) * 0.0000019073523f))) {
                                                                     phi_2534_ = type_30();
                                                                     phi_2535_ = true;
                                                                 } else {
-                                                                    let _e1554 = (_e1552 > _e1296.member_1);
-                                                                    if _e1554 {
+                                                                    let _e1115 = (_e1113 > _e857.member_1);
+                                                                    if _e1115 {
                                                                         phi_2533_ = type_30();
                                                                     } else {
-                                                                        let _e1555 = vec3<f32>(_e1392[0][0], _e1392[0][1], _e1392[0][2]);
-                                                                        let _e1556 = vec3<f32>(_e1392[1][0], _e1392[1][1], _e1392[1][2]);
-                                                                        let _e1557 = vec3<f32>(_e1392[2][0], _e1392[2][1], _e1392[2][2]);
-                                                                        let _e1558 = (_e1392[1][0] - _e1392[0][0]);
-                                                                        let _e1559 = (_e1392[1][1] - _e1392[0][1]);
-                                                                        let _e1560 = (_e1392[1][2] - _e1392[0][2]);
-                                                                        let _e1561 = vec3<f32>(_e1558, _e1559, _e1560);
-                                                                        let _e1562 = (_e1392[2][0] - _e1392[1][0]);
-                                                                        let _e1563 = (_e1392[2][1] - _e1392[1][1]);
-                                                                        let _e1564 = (_e1392[2][2] - _e1392[1][2]);
-                                                                        let _e1565 = vec3<f32>(_e1562, _e1563, _e1564);
-                                                                        let _e1566 = (_e1392[0][0] - _e1392[2][0]);
-                                                                        let _e1567 = (_e1392[0][1] - _e1392[2][1]);
-                                                                        let _e1568 = (_e1392[0][2] - _e1392[2][2]);
-                                                                        let _e1569 = vec3<f32>(_e1566, _e1567, _e1568);
-                                                                        let _e1572 = bitcast<f32>((bitcast<u32>(_e1558) & 2147483647u));
-                                                                        let _e1575 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
-                                                                        let _e1577 = select(_e1575, _e1572, (_e1572 > _e1575));
-                                                                        let _e1580 = bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u));
-                                                                        let _e1582 = select(_e1580, _e1577, (_e1577 > _e1580));
-                                                                        let _e1585 = bitcast<f32>((bitcast<u32>(_e1562) & 2147483647u));
-                                                                        let _e1588 = bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u));
-                                                                        let _e1590 = select(_e1588, _e1585, (_e1585 > _e1588));
-                                                                        let _e1593 = bitcast<f32>((bitcast<u32>(_e1564) & 2147483647u));
-                                                                        let _e1595 = select(_e1593, _e1590, (_e1590 > _e1593));
-                                                                        let _e1598 = bitcast<f32>((bitcast<u32>(_e1566) & 2147483647u));
-                                                                        let _e1601 = bitcast<f32>((bitcast<u32>(_e1567) & 2147483647u));
-                                                                        let _e1603 = select(_e1601, _e1598, (_e1598 > _e1601));
-                                                                        let _e1606 = bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u));
-                                                                        let _e1608 = select(_e1606, _e1603, (_e1603 > _e1606));
-                                                                        let _e1610 = select(_e1595, _e1582, (_e1582 > _e1595));
-                                                                        let _e1612 = select(_e1608, _e1610, (_e1610 > _e1608));
-                                                                        if (_e1582 == _e1612) {
-                                                                            phi_2260_ = _e1419;
-                                                                            phi_2261_ = _e1416;
-                                                                            phi_2262_ = _e1406;
-                                                                            phi_2263_ = _e1403;
-                                                                            phi_2264_ = _e1555;
-                                                                            phi_2265_ = _e1569;
-                                                                            phi_2266_ = _e1565;
-                                                                            phi_2267_ = _e1561;
+                                                                        let _e1116 = vec3<f32>(_e953[0][0], _e953[0][1], _e953[0][2]);
+                                                                        let _e1117 = vec3<f32>(_e953[1][0], _e953[1][1], _e953[1][2]);
+                                                                        let _e1118 = vec3<f32>(_e953[2][0], _e953[2][1], _e953[2][2]);
+                                                                        let _e1119 = (_e953[1][0] - _e953[0][0]);
+                                                                        let _e1120 = (_e953[1][1] - _e953[0][1]);
+                                                                        let _e1121 = (_e953[1][2] - _e953[0][2]);
+                                                                        let _e1122 = vec3<f32>(_e1119, _e1120, _e1121);
+                                                                        let _e1123 = (_e953[2][0] - _e953[1][0]);
+                                                                        let _e1124 = (_e953[2][1] - _e953[1][1]);
+                                                                        let _e1125 = (_e953[2][2] - _e953[1][2]);
+                                                                        let _e1126 = vec3<f32>(_e1123, _e1124, _e1125);
+                                                                        let _e1127 = (_e953[0][0] - _e953[2][0]);
+                                                                        let _e1128 = (_e953[0][1] - _e953[2][1]);
+                                                                        let _e1129 = (_e953[0][2] - _e953[2][2]);
+                                                                        let _e1130 = vec3<f32>(_e1127, _e1128, _e1129);
+                                                                        let _e1133 = bitcast<f32>((bitcast<u32>(_e1119) & 2147483647u));
+                                                                        let _e1136 = bitcast<f32>((bitcast<u32>(_e1120) & 2147483647u));
+                                                                        let _e1138 = select(_e1136, _e1133, (_e1133 > _e1136));
+                                                                        let _e1141 = bitcast<f32>((bitcast<u32>(_e1121) & 2147483647u));
+                                                                        let _e1143 = select(_e1141, _e1138, (_e1138 > _e1141));
+                                                                        let _e1146 = bitcast<f32>((bitcast<u32>(_e1123) & 2147483647u));
+                                                                        let _e1149 = bitcast<f32>((bitcast<u32>(_e1124) & 2147483647u));
+                                                                        let _e1151 = select(_e1149, _e1146, (_e1146 > _e1149));
+                                                                        let _e1154 = bitcast<f32>((bitcast<u32>(_e1125) & 2147483647u));
+                                                                        let _e1156 = select(_e1154, _e1151, (_e1151 > _e1154));
+                                                                        let _e1159 = bitcast<f32>((bitcast<u32>(_e1127) & 2147483647u));
+                                                                        let _e1162 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
+                                                                        let _e1164 = select(_e1162, _e1159, (_e1159 > _e1162));
+                                                                        let _e1167 = bitcast<f32>((bitcast<u32>(_e1129) & 2147483647u));
+                                                                        let _e1169 = select(_e1167, _e1164, (_e1164 > _e1167));
+                                                                        let _e1171 = select(_e1156, _e1143, (_e1143 > _e1156));
+                                                                        let _e1173 = select(_e1169, _e1171, (_e1171 > _e1169));
+                                                                        if (_e1143 == _e1173) {
+                                                                            phi_2260_ = _e980;
+                                                                            phi_2261_ = _e977;
+                                                                            phi_2262_ = _e967;
+                                                                            phi_2263_ = _e964;
+                                                                            phi_2264_ = _e1116;
+                                                                            phi_2265_ = _e1130;
+                                                                            phi_2266_ = _e1126;
+                                                                            phi_2267_ = _e1122;
                                                                         } else {
-                                                                            let _e1614 = (_e1595 == _e1612);
-                                                                            let _e1619 = vec3(_e1614);
-                                                                            phi_2260_ = select(_e1406, _e1432, _e1614);
-                                                                            phi_2261_ = select(_e1403, _e1429, _e1614);
-                                                                            phi_2262_ = select(_e1432, _e1419, _e1614);
-                                                                            phi_2263_ = select(_e1429, _e1416, _e1614);
-                                                                            phi_2264_ = select(_e1557, _e1556, _e1619);
-                                                                            phi_2265_ = select(_e1565, _e1561, _e1619);
-                                                                            phi_2266_ = select(_e1561, _e1569, _e1619);
-                                                                            phi_2267_ = select(_e1569, _e1565, _e1619);
+                                                                            let _e1175 = (_e1156 == _e1173);
+                                                                            let _e1180 = vec3(_e1175);
+                                                                            phi_2260_ = select(_e967, _e993, _e1175);
+                                                                            phi_2261_ = select(_e964, _e990, _e1175);
+                                                                            phi_2262_ = select(_e993, _e980, _e1175);
+                                                                            phi_2263_ = select(_e990, _e977, _e1175);
+                                                                            phi_2264_ = select(_e1118, _e1117, _e1180);
+                                                                            phi_2265_ = select(_e1126, _e1122, _e1180);
+                                                                            phi_2266_ = select(_e1122, _e1130, _e1180);
+                                                                            phi_2267_ = select(_e1130, _e1126, _e1180);
                                                                         }
-                                                                        let _e1625 = phi_2260_;
-                                                                        let _e1627 = phi_2261_;
-                                                                        let _e1629 = phi_2262_;
-                                                                        let _e1631 = phi_2263_;
-                                                                        let _e1633 = phi_2264_;
-                                                                        let _e1635 = phi_2265_;
-                                                                        let _e1637 = phi_2266_;
-                                                                        let _e1639 = phi_2267_;
-                                                                        let _e1646 = ((_e1637.y * _e1635.z) - (_e1635.y * _e1637.z));
-                                                                        let _e1651 = ((_e1637.z * _e1635.x) - (_e1635.z * _e1637.x));
-                                                                        let _e1654 = ((_e1637.x * _e1635.y) - (_e1635.x * _e1637.y));
-                                                                        if (_e1454 >= _e1458) {
-                                                                            phi_2304_ = select(true, false, (_e1454 >= _e1462));
+                                                                        let _e1186 = phi_2260_;
+                                                                        let _e1188 = phi_2261_;
+                                                                        let _e1190 = phi_2262_;
+                                                                        let _e1192 = phi_2263_;
+                                                                        let _e1194 = phi_2264_;
+                                                                        let _e1196 = phi_2265_;
+                                                                        let _e1198 = phi_2266_;
+                                                                        let _e1200 = phi_2267_;
+                                                                        let _e1207 = ((_e1198.y * _e1196.z) - (_e1196.y * _e1198.z));
+                                                                        let _e1212 = ((_e1198.z * _e1196.x) - (_e1196.z * _e1198.x));
+                                                                        let _e1215 = ((_e1198.x * _e1196.y) - (_e1196.x * _e1198.y));
+                                                                        if (_e1015 >= _e1019) {
+                                                                            phi_2304_ = select(true, false, (_e1015 >= _e1023));
                                                                         } else {
                                                                             phi_2304_ = true;
                                                                         }
-                                                                        let _e1659 = phi_2304_;
-                                                                        if _e1659 {
-                                                                            phi_2313_ = select(_e1557, _e1556, vec3((_e1458 >= _e1462)));
+                                                                        let _e1220 = phi_2304_;
+                                                                        if _e1220 {
+                                                                            phi_2313_ = select(_e1118, _e1117, vec3((_e1019 >= _e1023)));
                                                                         } else {
-                                                                            phi_2313_ = _e1555;
+                                                                            phi_2313_ = _e1116;
                                                                         }
-                                                                        let _e1664 = phi_2313_;
-                                                                        let _e1675 = (((_e1646 * (_e1664.x - _e473)) + (_e1651 * (_e1664.y - _e540))) + (_e1654 * (_e1664.z - _e606)));
-                                                                        let _e1680 = (((_e1646 * _e513) + (_e1651 * _e579)) + (_e1654 * _e645));
-                                                                        let _e1681 = (_e1627 - _e1631);
-                                                                        let _e1682 = (_e1625 - _e1629);
-                                                                        let _e1690 = (-(((_e1631 * _e1681) + (_e1629 * _e1682))) / ((_e1681 * _e1681) + (_e1682 * _e1682)));
-                                                                        let _e1692 = select(1f, _e1690, (_e1690 < 1f));
-                                                                        let _e1694 = select(0f, _e1692, (_e1692 > 0f));
-                                                                        let _e1707 = ((_e1633.x + (_e1639.x * _e1694)) - _e473);
-                                                                        let _e1708 = ((_e1633.y + (_e1639.y * _e1694)) - _e540);
-                                                                        let _e1709 = ((_e1633.z + (_e1639.z * _e1694)) - _e606);
-                                                                        let _e1710 = (_e1709 / _e645);
-                                                                        let _e1722 = bitcast<f32>((bitcast<u32>(_e1707) & 2147483647u));
-                                                                        let _e1725 = bitcast<f32>((bitcast<u32>(_e1708) & 2147483647u));
-                                                                        let _e1727 = select(_e1725, _e1722, (_e1722 > _e1725));
-                                                                        let _e1730 = bitcast<f32>((bitcast<u32>(_e1709) & 2147483647u));
-                                                                        let _e1732 = select(_e1730, _e1727, (_e1727 > _e1730));
-                                                                        let _e1738 = bitcast<f32>((bitcast<u32>(_e1646) & 2147483647u));
-                                                                        let _e1741 = bitcast<f32>((bitcast<u32>(_e1651) & 2147483647u));
-                                                                        let _e1743 = select(_e1741, _e1738, (_e1738 > _e1741));
-                                                                        let _e1746 = bitcast<f32>((bitcast<u32>(_e1654) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1646 * _e1707) + (_e1651 * _e1708)) + (_e1654 * _e1709)) - _e1675)) & 2147483647u)) <= ((0.0000009536743f * select(_e1612, _e1732, (_e1732 > _e1612))) * select(_e1746, _e1743, (_e1743 > _e1746)))) {
-                                                                            let _e1756 = bitcast<f32>((bitcast<u32>(_e1637.x) & 2147483647u));
-                                                                            let _e1759 = bitcast<f32>((bitcast<u32>(_e1637.y) & 2147483647u));
-                                                                            let _e1761 = select(_e1759, _e1756, (_e1756 > _e1759));
-                                                                            let _e1764 = bitcast<f32>((bitcast<u32>(_e1637.z) & 2147483647u));
-                                                                            let _e1770 = bitcast<f32>((bitcast<u32>(_e1635.x) & 2147483647u));
-                                                                            let _e1773 = bitcast<f32>((bitcast<u32>(_e1635.y) & 2147483647u));
-                                                                            let _e1775 = select(_e1773, _e1770, (_e1770 > _e1773));
-                                                                            let _e1778 = bitcast<f32>((bitcast<u32>(_e1635.z) & 2147483647u));
-                                                                            let _e1782 = (bitcast<f32>((bitcast<u32>(_e1680) & 2147483647u)) > ((0.0000038146973f * select(_e1764, _e1761, (_e1761 > _e1764))) * select(_e1778, _e1775, (_e1775 > _e1778))));
-                                                                            if _e1782 {
-                                                                                phi_2478_ = (_e1675 / _e1680);
+                                                                        let _e1225 = phi_2313_;
+                                                                        let _e1236 = (((_e1207 * (_e1225.x - _e473)) + (_e1212 * (_e1225.y - _e540))) + (_e1215 * (_e1225.z - _e606)));
+                                                                        let _e1241 = (((_e1207 * _e513) + (_e1212 * _e579)) + (_e1215 * _e645));
+                                                                        let _e1242 = (_e1188 - _e1192);
+                                                                        let _e1243 = (_e1186 - _e1190);
+                                                                        let _e1251 = (-(((_e1192 * _e1242) + (_e1190 * _e1243))) / ((_e1242 * _e1242) + (_e1243 * _e1243)));
+                                                                        let _e1253 = select(1f, _e1251, (_e1251 < 1f));
+                                                                        let _e1255 = select(0f, _e1253, (_e1253 > 0f));
+                                                                        let _e1268 = ((_e1194.x + (_e1200.x * _e1255)) - _e473);
+                                                                        let _e1269 = ((_e1194.y + (_e1200.y * _e1255)) - _e540);
+                                                                        let _e1270 = ((_e1194.z + (_e1200.z * _e1255)) - _e606);
+                                                                        let _e1271 = (_e1270 / _e645);
+                                                                        let _e1283 = bitcast<f32>((bitcast<u32>(_e1268) & 2147483647u));
+                                                                        let _e1286 = bitcast<f32>((bitcast<u32>(_e1269) & 2147483647u));
+                                                                        let _e1288 = select(_e1286, _e1283, (_e1283 > _e1286));
+                                                                        let _e1291 = bitcast<f32>((bitcast<u32>(_e1270) & 2147483647u));
+                                                                        let _e1293 = select(_e1291, _e1288, (_e1288 > _e1291));
+                                                                        let _e1299 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
+                                                                        let _e1302 = bitcast<f32>((bitcast<u32>(_e1212) & 2147483647u));
+                                                                        let _e1304 = select(_e1302, _e1299, (_e1299 > _e1302));
+                                                                        let _e1307 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1207 * _e1268) + (_e1212 * _e1269)) + (_e1215 * _e1270)) - _e1236)) & 2147483647u)) <= ((0.0000009536743f * select(_e1173, _e1293, (_e1293 > _e1173))) * select(_e1307, _e1304, (_e1304 > _e1307)))) {
+                                                                            let _e1317 = bitcast<f32>((bitcast<u32>(_e1198.x) & 2147483647u));
+                                                                            let _e1320 = bitcast<f32>((bitcast<u32>(_e1198.y) & 2147483647u));
+                                                                            let _e1322 = select(_e1320, _e1317, (_e1317 > _e1320));
+                                                                            let _e1325 = bitcast<f32>((bitcast<u32>(_e1198.z) & 2147483647u));
+                                                                            let _e1331 = bitcast<f32>((bitcast<u32>(_e1196.x) & 2147483647u));
+                                                                            let _e1334 = bitcast<f32>((bitcast<u32>(_e1196.y) & 2147483647u));
+                                                                            let _e1336 = select(_e1334, _e1331, (_e1331 > _e1334));
+                                                                            let _e1339 = bitcast<f32>((bitcast<u32>(_e1196.z) & 2147483647u));
+                                                                            let _e1343 = (bitcast<f32>((bitcast<u32>(_e1241) & 2147483647u)) > ((0.0000038146973f * select(_e1325, _e1322, (_e1322 > _e1325))) * select(_e1339, _e1336, (_e1336 > _e1339))));
+                                                                            if _e1343 {
+                                                                                phi_2478_ = (_e1236 / _e1241);
                                                                             } else {
                                                                                 phi_2478_ = f32();
                                                                             }
-                                                                            let _e1785 = phi_2478_;
-                                                                            phi_2480_ = _e1785;
-                                                                            phi_2481_ = select(true, false, _e1782);
+                                                                            let _e1346 = phi_2478_;
+                                                                            phi_2480_ = _e1346;
+                                                                            phi_2481_ = select(true, false, _e1343);
                                                                         } else {
                                                                             phi_2480_ = f32();
                                                                             phi_2481_ = true;
                                                                         }
-                                                                        let _e1788 = phi_2480_;
-                                                                        let _e1790 = phi_2481_;
-                                                                        if _e1790 {
-                                                                            let _e1798 = (((_e1646 * (_e1707 - (_e513 * _e1710))) + (_e1651 * (_e1708 - (_e579 * _e1710)))) / _e1680);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1798) & 2147483647u)) <= _e1612) {
-                                                                                phi_2501_ = (_e1710 + _e1798);
+                                                                        let _e1349 = phi_2480_;
+                                                                        let _e1351 = phi_2481_;
+                                                                        if _e1351 {
+                                                                            let _e1359 = (((_e1207 * (_e1268 - (_e513 * _e1271))) + (_e1212 * (_e1269 - (_e579 * _e1271)))) / _e1241);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u)) <= _e1173) {
+                                                                                phi_2501_ = (_e1271 + _e1359);
                                                                             } else {
-                                                                                phi_2501_ = _e1710;
+                                                                                phi_2501_ = _e1271;
                                                                             }
-                                                                            let _e1805 = phi_2501_;
-                                                                            phi_2502_ = _e1805;
+                                                                            let _e1366 = phi_2501_;
+                                                                            phi_2502_ = _e1366;
                                                                         } else {
-                                                                            phi_2502_ = _e1788;
+                                                                            phi_2502_ = _e1349;
                                                                         }
-                                                                        let _e1807 = phi_2502_;
-                                                                        let _e1809 = select(_e1545, _e1807, (_e1807 < _e1545));
-                                                                        let _e1811 = select(_e1537, _e1809, (_e1809 > _e1537));
-                                                                        if (_e1811 >= _e759) {
-                                                                            let _e1813 = (_e1811 <= _e1296.member_1);
-                                                                            if _e1813 {
-                                                                                let _e1814 = (1f / _e1464);
-                                                                                phi_2525_ = type_30(_e1811, (_e1458 * _e1814), (_e1462 * _e1814), _e1325);
+                                                                        let _e1368 = phi_2502_;
+                                                                        let _e1370 = select(_e1106, _e1368, (_e1368 < _e1106));
+                                                                        let _e1372 = select(_e1098, _e1370, (_e1370 > _e1098));
+                                                                        if (_e1372 >= _e759) {
+                                                                            let _e1374 = (_e1372 <= _e857.member_1);
+                                                                            if _e1374 {
+                                                                                let _e1375 = (1f / _e1025);
+                                                                                phi_2525_ = type_30(_e1372, (_e1019 * _e1375), (_e1023 * _e1375), _e886);
                                                                             } else {
                                                                                 phi_2525_ = type_30();
                                                                             }
-                                                                            let _e1819 = phi_2525_;
-                                                                            phi_2527_ = _e1819;
-                                                                            phi_2528_ = select(true, false, _e1813);
+                                                                            let _e1380 = phi_2525_;
+                                                                            phi_2527_ = _e1380;
+                                                                            phi_2528_ = select(true, false, _e1374);
                                                                         } else {
                                                                             phi_2527_ = type_30();
                                                                             phi_2528_ = true;
                                                                         }
-                                                                        let _e1822 = phi_2527_;
-                                                                        let _e1824 = phi_2528_;
-                                                                        if _e1824 {
+                                                                        let _e1383 = phi_2527_;
+                                                                        let _e1385 = phi_2528_;
+                                                                        if _e1385 {
                                                                             phi_2532_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2532_ = _e1822;
+                                                                            phi_2532_ = _e1383;
                                                                         }
-                                                                        let _e1826 = phi_2532_;
-                                                                        phi_2533_ = _e1826;
+                                                                        let _e1387 = phi_2532_;
+                                                                        phi_2533_ = _e1387;
                                                                     }
-                                                                    let _e1828 = phi_2533_;
-                                                                    phi_2534_ = _e1828;
-                                                                    phi_2535_ = _e1554;
+                                                                    let _e1389 = phi_2533_;
+                                                                    phi_2534_ = _e1389;
+                                                                    phi_2535_ = _e1115;
                                                                 }
-                                                                let _e1830 = phi_2534_;
-                                                                let _e1832 = phi_2535_;
-                                                                phi_2539_ = _e1830;
-                                                                phi_2540_ = _e1832;
+                                                                let _e1391 = phi_2534_;
+                                                                let _e1393 = phi_2535_;
+                                                                phi_2539_ = _e1391;
+                                                                phi_2540_ = _e1393;
                                                             }
-                                                            let _e1834 = phi_2539_;
-                                                            let _e1836 = phi_2540_;
-                                                            phi_2541_ = _e1834;
-                                                            phi_2542_ = _e1489;
-                                                            phi_2543_ = _e1836;
+                                                            let _e1395 = phi_2539_;
+                                                            let _e1397 = phi_2540_;
+                                                            phi_2541_ = _e1395;
+                                                            phi_2542_ = _e1050;
+                                                            phi_2543_ = _e1397;
                                                         }
-                                                        let _e1838 = phi_2541_;
-                                                        let _e1840 = phi_2542_;
-                                                        let _e1842 = phi_2543_;
-                                                        phi_2544_ = _e1838;
-                                                        phi_2545_ = _e1840;
-                                                        phi_2546_ = _e1842;
+                                                        let _e1399 = phi_2541_;
+                                                        let _e1401 = phi_2542_;
+                                                        let _e1403 = phi_2543_;
+                                                        phi_2544_ = _e1399;
+                                                        phi_2545_ = _e1401;
+                                                        phi_2546_ = _e1403;
                                                     }
-                                                    let _e1844 = phi_2544_;
-                                                    let _e1846 = phi_2545_;
-                                                    let _e1848 = phi_2546_;
-                                                    phi_2554_ = _e1844;
-                                                    phi_2555_ = select(_e1848, true, _e1846);
+                                                    let _e1405 = phi_2544_;
+                                                    let _e1407 = phi_2545_;
+                                                    let _e1409 = phi_2546_;
+                                                    phi_2554_ = _e1405;
+                                                    phi_2555_ = select(_e1409, true, _e1407);
                                                 } else {
                                                     phi_2554_ = type_30();
                                                     phi_2555_ = true;
                                                 }
-                                                let _e1851 = phi_2554_;
-                                                let _e1853 = phi_2555_;
-                                                if _e1853 {
+                                                let _e1412 = phi_2554_;
+                                                let _e1414 = phi_2555_;
+                                                if _e1414 {
                                                     phi_2559_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2559_ = _e1851;
+                                                    phi_2559_ = _e1412;
                                                 }
-                                                let _e1855 = phi_2559_;
-                                                if (_e1855.member_3 != 4294967295u) {
-                                                    if (_e1325 == _e172) {
+                                                let _e1416 = phi_2559_;
+                                                if (_e1416.member_3 != 4294967295u) {
+                                                    if (_e886 == _e172) {
                                                         phi_2894_ = false;
                                                     } else {
-                                                        let _e1859 = (_e1325 < arrayLength((&global_6.member)));
-                                                        if _e1859 {
-                                                            if _e1859 {
+                                                        let _e1420 = (_e886 < arrayLength((&global_6.member)));
+                                                        if _e1420 {
+                                                            if _e1420 {
                                                             } else {
-                                                                phi_4603_ = true;
+                                                                phi_4607_ = true;
                                                                 break;
                                                             }
-                                                            let _e1861 = global_6.member[_e1325];
-                                                            phi_2582_ = _e1861;
+                                                            let _e1422 = global_6.member[_e886];
+                                                            phi_2582_ = _e1422;
                                                         } else {
                                                             phi_2582_ = 4294967295u;
                                                         }
-                                                        let _e1863 = phi_2582_;
-                                                        let _e1864 = (_e1863 < arrayLength((&global_7.member)));
-                                                        if _e1864 {
-                                                            if _e1864 {
+                                                        let _e1424 = phi_2582_;
+                                                        let _e1425 = (_e1424 < arrayLength((&global_7.member)));
+                                                        if _e1425 {
+                                                            if _e1425 {
                                                             } else {
-                                                                phi_4603_ = true;
+                                                                phi_4607_ = true;
                                                                 break;
                                                             }
-                                                            let _e1866 = global_7.member[_e1863];
-                                                            phi_2596_ = _e1866;
+                                                            let _e1427 = global_7.member[_e1424];
+                                                            phi_2596_ = _e1427;
                                                         } else {
                                                             phi_2596_ = 0i;
                                                         }
-                                                        let _e1868 = phi_2596_;
-                                                        let _e1869 = (_e1868 == 0i);
-                                                        if _e1869 {
+                                                        let _e1429 = phi_2596_;
+                                                        let _e1430 = (_e1429 == 0i);
+                                                        if _e1430 {
                                                             phi_2893_ = true;
                                                         } else {
                                                             if _e450 {
-                                                                phi_2619_ = vec3<f32>(_e1392[0][0], _e1392[0][1], _e1392[0][2]);
+                                                                phi_2619_ = vec3<f32>(_e953[0][0], _e953[0][1], _e953[0][2]);
                                                             } else {
                                                                 if (_e426 == 1u) {
-                                                                    phi_2618_ = vec3<f32>(_e1392[0][2], _e1392[0][0], _e1392[0][1]);
+                                                                    phi_2618_ = vec3<f32>(_e953[0][2], _e953[0][0], _e953[0][1]);
                                                                 } else {
-                                                                    phi_2618_ = vec3<f32>(_e1392[0][1], _e1392[0][2], _e1392[0][0]);
+                                                                    phi_2618_ = vec3<f32>(_e953[0][1], _e953[0][2], _e953[0][0]);
                                                                 }
-                                                                let _e1874 = phi_2618_;
-                                                                phi_2619_ = _e1874;
+                                                                let _e1435 = phi_2618_;
+                                                                phi_2619_ = _e1435;
                                                             }
-                                                            let _e1877 = phi_2619_;
+                                                            let _e1438 = phi_2619_;
                                                             if _e450 {
-                                                                phi_2638_ = vec3<f32>(_e1392[1][0], _e1392[1][1], _e1392[1][2]);
+                                                                phi_2638_ = vec3<f32>(_e953[1][0], _e953[1][1], _e953[1][2]);
                                                             } else {
                                                                 if (_e426 == 1u) {
-                                                                    phi_2637_ = vec3<f32>(_e1392[1][2], _e1392[1][0], _e1392[1][1]);
+                                                                    phi_2637_ = vec3<f32>(_e953[1][2], _e953[1][0], _e953[1][1]);
                                                                 } else {
-                                                                    phi_2637_ = vec3<f32>(_e1392[1][1], _e1392[1][2], _e1392[1][0]);
+                                                                    phi_2637_ = vec3<f32>(_e953[1][1], _e953[1][2], _e953[1][0]);
                                                                 }
-                                                                let _e1882 = phi_2637_;
-                                                                phi_2638_ = _e1882;
+                                                                let _e1443 = phi_2637_;
+                                                                phi_2638_ = _e1443;
                                                             }
-                                                            let _e1885 = phi_2638_;
+                                                            let _e1446 = phi_2638_;
                                                             if _e450 {
-                                                                phi_2657_ = vec3<f32>(_e1392[2][0], _e1392[2][1], _e1392[2][2]);
+                                                                phi_2657_ = vec3<f32>(_e953[2][0], _e953[2][1], _e953[2][2]);
                                                             } else {
                                                                 if (_e426 == 1u) {
-                                                                    phi_2656_ = vec3<f32>(_e1392[2][2], _e1392[2][0], _e1392[2][1]);
+                                                                    phi_2656_ = vec3<f32>(_e953[2][2], _e953[2][0], _e953[2][1]);
                                                                 } else {
-                                                                    phi_2656_ = vec3<f32>(_e1392[2][1], _e1392[2][2], _e1392[2][0]);
+                                                                    phi_2656_ = vec3<f32>(_e953[2][1], _e953[2][2], _e953[2][0]);
                                                                 }
-                                                                let _e1890 = phi_2656_;
-                                                                phi_2657_ = _e1890;
+                                                                let _e1451 = phi_2656_;
+                                                                phi_2657_ = _e1451;
                                                             }
-                                                            let _e1893 = phi_2657_;
-                                                            let _e1896 = (_e1885.x - _e1877.x);
-                                                            let _e1899 = (_e1885.y - _e1877.y);
-                                                            let _e1902 = (_e1885.z - _e1877.z);
-                                                            let _e1904 = (_e1893.x - _e1877.x);
-                                                            let _e1906 = (_e1893.y - _e1877.y);
-                                                            let _e1908 = (_e1893.z - _e1877.z);
+                                                            let _e1454 = phi_2657_;
+                                                            let _e1457 = (_e1446.x - _e1438.x);
+                                                            let _e1460 = (_e1446.y - _e1438.y);
+                                                            let _e1463 = (_e1446.z - _e1438.z);
+                                                            let _e1465 = (_e1454.x - _e1438.x);
+                                                            let _e1467 = (_e1454.y - _e1438.y);
+                                                            let _e1469 = (_e1454.z - _e1438.z);
                                                             if (_e304.member_1 == 1u) {
-                                                                phi_2693_ = (vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]) - _e1877);
+                                                                phi_2693_ = (vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]) - _e1438);
                                                             } else {
                                                                 phi_2693_ = vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]);
                                                             }
-                                                            let _e1923 = phi_2693_;
-                                                            let _e1929 = bitcast<f32>((bitcast<u32>((_e1896 * _e1906)) ^ _e304.member_3[0]));
-                                                            let _e1933 = bitcast<f32>((bitcast<u32>((_e1899 * _e1904)) ^ _e304.member_3[0]));
-                                                            let _e1937 = bitcast<f32>((bitcast<u32>((_e1899 * _e1908)) ^ _e304.member_3[0]));
-                                                            let _e1941 = bitcast<f32>((bitcast<u32>((_e1902 * _e1906)) ^ _e304.member_3[0]));
-                                                            let _e1945 = bitcast<f32>((bitcast<u32>((_e1902 * _e1904)) ^ _e304.member_3[0]));
-                                                            let _e1949 = bitcast<f32>((bitcast<u32>((_e1896 * _e1908)) ^ _e304.member_3[0]));
-                                                            let _e1950 = (_e1937 - _e1941);
-                                                            let _e1951 = (_e1945 - _e1949);
-                                                            let _e1952 = (_e1929 - _e1933);
-                                                            let _e1976 = (bitcast<f32>((bitcast<u32>(_e1937) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1941) & 2147483647u)));
-                                                            let _e1983 = (bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u)));
-                                                            let _e1990 = (bitcast<f32>((bitcast<u32>(_e1929) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1933) & 2147483647u)));
+                                                            let _e1484 = phi_2693_;
+                                                            let _e1490 = bitcast<f32>((bitcast<u32>((_e1457 * _e1467)) ^ _e304.member_3[0]));
+                                                            let _e1494 = bitcast<f32>((bitcast<u32>((_e1460 * _e1465)) ^ _e304.member_3[0]));
+                                                            let _e1498 = bitcast<f32>((bitcast<u32>((_e1460 * _e1469)) ^ _e304.member_3[0]));
+                                                            let _e1502 = bitcast<f32>((bitcast<u32>((_e1463 * _e1467)) ^ _e304.member_3[0]));
+                                                            let _e1506 = bitcast<f32>((bitcast<u32>((_e1463 * _e1465)) ^ _e304.member_3[0]));
+                                                            let _e1510 = bitcast<f32>((bitcast<u32>((_e1457 * _e1469)) ^ _e304.member_3[0]));
+                                                            let _e1511 = (_e1498 - _e1502);
+                                                            let _e1512 = (_e1506 - _e1510);
+                                                            let _e1513 = (_e1490 - _e1494);
+                                                            let _e1537 = (bitcast<f32>((bitcast<u32>(_e1498) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1502) & 2147483647u)));
+                                                            let _e1544 = (bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1510) & 2147483647u)));
+                                                            let _e1551 = (bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1494) & 2147483647u)));
                                                             if (_e304.member_2 == 0f) {
                                                                 phi_2875_ = 0f;
                                                             } else {
-                                                                let _e2020 = bitcast<f32>((bitcast<u32>(_e1950) & 2147483647u));
-                                                                let _e2023 = bitcast<f32>((bitcast<u32>(_e1951) & 2147483647u));
-                                                                let _e2026 = bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u));
-                                                                let _e2028 = select(_e2026, _e2023, (_e2023 > _e2026));
-                                                                let _e2032 = select(_e2026, _e2023, (_e2023 < _e2026));
-                                                                let _e2036 = select(_e2023, _e2020, (_e2020 < _e2023));
-                                                                let _e2038 = select(_e2023, _e2020, (_e2020 > _e2023));
-                                                                let _e2040 = select(_e2026, _e2038, (_e2038 < _e2026));
-                                                                phi_2875_ = bitcast<f32>((bitcast<u32>((_e304.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2028, _e2020, (_e2020 > _e2028)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2040, _e2036, (_e2036 > _e2040)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2032, _e2020, (_e2020 < _e2032)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1976 + _e1983) + _e1990))) ^ _e304.member_3[0]))) * 1.0000005f)) ^ _e304.member_3[0])))) ^ _e304.member_3[0]));
+                                                                let _e1581 = bitcast<f32>((bitcast<u32>(_e1511) & 2147483647u));
+                                                                let _e1584 = bitcast<f32>((bitcast<u32>(_e1512) & 2147483647u));
+                                                                let _e1587 = bitcast<f32>((bitcast<u32>(_e1513) & 2147483647u));
+                                                                let _e1589 = select(_e1587, _e1584, (_e1584 > _e1587));
+                                                                let _e1593 = select(_e1587, _e1584, (_e1584 < _e1587));
+                                                                let _e1597 = select(_e1584, _e1581, (_e1581 < _e1584));
+                                                                let _e1599 = select(_e1584, _e1581, (_e1581 > _e1584));
+                                                                let _e1601 = select(_e1587, _e1599, (_e1599 < _e1587));
+                                                                phi_2875_ = bitcast<f32>((bitcast<u32>((_e304.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1589, _e1581, (_e1581 > _e1589)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1601, _e1597, (_e1597 > _e1601)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1593, _e1581, (_e1581 < _e1593)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1537 + _e1544) + _e1551))) ^ _e304.member_3[0]))) * 1.0000005f)) ^ _e304.member_3[0])))) ^ _e304.member_3[0]));
                                                             }
-                                                            let _e2067 = phi_2875_;
-                                                            phi_2893_ = (_e1869 || !(((((bitcast<f32>((bitcast<u32>((_e1923.x * _e1950)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1923.y * _e1951)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1923.z * _e1952)) ^ _e304.member_3[0]))) * f32(-(_e1868))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.x) & 2147483647u)) * _e1976)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.y) & 2147483647u)) * _e1983)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.z) & 2147483647u)) * _e1990)) ^ _e304.member_3[0]))))) ^ _e304.member_3[0])) + _e2067) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1628 = phi_2875_;
+                                                            phi_2893_ = (_e1430 || !(((((bitcast<f32>((bitcast<u32>((_e1484.x * _e1511)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1484.y * _e1512)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1484.z * _e1513)) ^ _e304.member_3[0]))) * f32(-(_e1429))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1484.x) & 2147483647u)) * _e1537)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1484.y) & 2147483647u)) * _e1544)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1484.z) & 2147483647u)) * _e1551)) ^ _e304.member_3[0]))))) ^ _e304.member_3[0])) + _e1628) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2081 = phi_2893_;
-                                                        phi_2894_ = _e2081;
+                                                        let _e1642 = phi_2893_;
+                                                        phi_2894_ = _e1642;
                                                     }
-                                                    let _e2083 = phi_2894_;
-                                                    if _e2083 {
-                                                        if (_e1855.member < _e1296.member.member) {
+                                                    let _e1644 = phi_2894_;
+                                                    if _e1644 {
+                                                        if (_e1416.member < _e857.member.member) {
                                                             phi_2914_ = true;
                                                         } else {
-                                                            if (_e1855.member == _e1296.member.member) {
-                                                                phi_2913_ = (_e1855.member_3 < _e1296.member.member_3);
+                                                            if (_e1416.member == _e857.member.member) {
+                                                                phi_2913_ = (_e1416.member_3 < _e857.member.member_3);
                                                             } else {
                                                                 phi_2913_ = false;
                                                             }
-                                                            let _e2093 = phi_2913_;
-                                                            phi_2914_ = _e2093;
+                                                            let _e1654 = phi_2913_;
+                                                            phi_2914_ = _e1654;
                                                         }
-                                                        let _e2095 = phi_2914_;
-                                                        if _e2095 {
-                                                            phi_2920_ = type_48(_e1855, _e1855.member);
+                                                        let _e1656 = phi_2914_;
+                                                        if _e1656 {
+                                                            phi_2920_ = type_48(_e1416, _e1416.member);
                                                         } else {
-                                                            phi_2920_ = _e1296;
+                                                            phi_2920_ = _e857;
                                                         }
-                                                        let _e2098 = phi_2920_;
-                                                        phi_2921_ = _e2098;
+                                                        let _e1659 = phi_2920_;
+                                                        phi_2921_ = _e1659;
                                                     } else {
-                                                        phi_2921_ = _e1296;
+                                                        phi_2921_ = _e857;
                                                     }
-                                                    let _e2100 = phi_2921_;
-                                                    phi_2922_ = _e2100;
+                                                    let _e1661 = phi_2921_;
+                                                    phi_2922_ = _e1661;
                                                 } else {
-                                                    phi_2922_ = _e1296;
+                                                    phi_2922_ = _e857;
                                                 }
-                                                let _e2102 = phi_2922_;
-                                                phi_1522_ = _e2102;
+                                                let _e1663 = phi_2922_;
+                                                phi_1522_ = _e1663;
                                             } else {
                                                 phi_1522_ = type_48();
                                             }
-                                            let _e2104 = phi_1522_;
+                                            let _e1665 = phi_1522_;
                                             continue;
                                             continuing {
-                                                phi_1521_ = _e2104;
-                                                phi_1524_ = _e1311;
-                                                phi_4603_ = _e801;
-                                                break if !(_e1317);
+                                                phi_1521_ = _e1665;
+                                                phi_1524_ = _e872;
+                                                phi_4607_ = _e801;
+                                                break if !(_e878);
                                             }
                                         }
-                                        let _e2107 = phi_4603_;
-                                        phi_4795_ = _e2107;
-                                        if _e2107 {
+                                        let _e1668 = phi_4607_;
+                                        phi_4799_ = _e1668;
+                                        if _e1668 {
                                             break;
                                         }
-                                        phi_4799_ = _e2107;
-                                        let _e2440 = local_11;
-                                        phi_4158_ = _e2440;
-                                        phi_4159_ = false;
-                                        phi_4160_ = _e844;
-                                        phi_4161_ = _e846;
+                                        phi_4885_ = _e1668;
+                                        let _e2425 = local_11;
+                                        phi_2923_ = _e2425;
+                                    } else {
+                                        phi_4885_ = _e801;
+                                        phi_2923_ = _e803;
+                                    }
+                                    let _e1670 = phi_4885_;
+                                    let _e1672 = phi_2923_;
+                                    if _e850 {
+                                        phi_4153_ = bool();
+                                        phi_4154_ = u32();
+                                        phi_4155_ = type_62();
                                     } else {
                                         if (_e846.member_1 >= _e105) {
-                                            phi_3693_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3689_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e846.member_1 < _e105) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e858 = ((1u + _e426) % 4u);
-                                            if (_e858 < 4u) {
+                                            let _e1676 = ((1u + _e426) % 4u);
+                                            if (_e1676 < 4u) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e863 = global_4.member[_e846.member_1][_e858];
-                                            let _e865 = (_e863 >> bitcast<u32>(11u));
-                                            let _e867 = ((1u + _e425) % 4u);
-                                            if (_e867 < 4u) {
+                                            let _e1681 = global_4.member[_e846.member_1][_e1676];
+                                            let _e1683 = (_e1681 >> bitcast<u32>(11u));
+                                            let _e1685 = ((1u + _e425) % 4u);
+                                            if (_e1685 < 4u) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e872 = global_4.member[_e846.member_1][_e867];
-                                            let _e874 = (_e872 >> bitcast<u32>(11u));
-                                            let _e876 = ((1u + _e427) % 4u);
-                                            if (_e876 < 4u) {
+                                            let _e1690 = global_4.member[_e846.member_1][_e1685];
+                                            let _e1692 = (_e1690 >> bitcast<u32>(11u));
+                                            let _e1694 = ((1u + _e427) % 4u);
+                                            if (_e1694 < 4u) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e881 = global_4.member[_e846.member_1][_e876];
-                                            let _e883 = (_e881 >> bitcast<u32>(11u));
-                                            let _e906 = (bitcast<f32>((bitcast<u32>((_e846.member.member_1.x - _e846.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e907 = (bitcast<f32>((bitcast<u32>((_e846.member.member_1.y - _e846.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e908 = (bitcast<f32>((bitcast<u32>((_e846.member.member_1.z - _e846.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e910 = select(_e163, _e906, (_e906 > _e163));
-                                            let _e912 = select(_e163, _e907, (_e907 > _e163));
-                                            let _e914 = select(_e163, _e908, (_e908 > _e163));
-                                            let _e945 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e863 & 1023u))) - 8388608f) * _e910));
-                                            let _e950 = (bitcast<i32>((_e863 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e953 = bitcast<f32>((_e945 & bitcast<u32>(_e950)));
-                                            let _e954 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e872 & 1023u))) - 8388608f) * _e912));
-                                            let _e959 = (bitcast<i32>((_e872 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e962 = bitcast<f32>((_e954 & bitcast<u32>(_e959)));
-                                            let _e963 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e881 & 1023u))) - 8388608f) * _e914));
-                                            let _e968 = (bitcast<i32>((_e881 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e971 = bitcast<f32>((_e963 & bitcast<u32>(_e968)));
-                                            let _e975 = bitcast<f32>((_e945 & bitcast<u32>(~(_e950))));
-                                            let _e979 = bitcast<f32>((_e954 & bitcast<u32>(~(_e959))));
-                                            let _e983 = bitcast<f32>((_e963 & bitcast<u32>(~(_e968))));
-                                            let _e984 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e865 & 1023u))) - 8388608f) * _e910));
-                                            let _e989 = (bitcast<i32>((_e865 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e992 = bitcast<f32>((_e984 & bitcast<u32>(_e989)));
-                                            let _e993 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e874 & 1023u))) - 8388608f) * _e912));
-                                            let _e998 = (bitcast<i32>((_e874 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1001 = bitcast<f32>((_e993 & bitcast<u32>(_e998)));
-                                            let _e1002 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e883 & 1023u))) - 8388608f) * _e914));
-                                            let _e1007 = (bitcast<i32>((_e883 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1010 = bitcast<f32>((_e1002 & bitcast<u32>(_e1007)));
-                                            let _e1014 = bitcast<f32>((_e984 & bitcast<u32>(~(_e989))));
-                                            let _e1018 = bitcast<f32>((_e993 & bitcast<u32>(~(_e998))));
-                                            let _e1022 = bitcast<f32>((_e1002 & bitcast<u32>(~(_e1007))));
-                                            let _e1052 = global_4.member[_e846.member_1][0u];
-                                            let _e1056 = global_4.member[_e846.member_1][1u];
-                                            let _e1060 = global_4.member[_e846.member_1][2u];
-                                            let _e1064 = global_4.member[_e846.member_1][3u];
-                                            let _e1076 = (((_e1056 >> bitcast<u32>(22i)) | ((_e1060 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1064 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1077 = (_e1052 & 268435455u);
-                                            let _e1078 = (_e1076 & 268435455u);
-                                            let _e1081 = ((_e1052 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1089 = ((_e1052 >> bitcast<u32>(31i)) | (((_e1076 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1090 = (_e1081 != 0u);
-                                            if (_e1081 == 0u) {
-                                                phi_3655_ = _e1077;
+                                            let _e1699 = global_4.member[_e846.member_1][_e1694];
+                                            let _e1701 = (_e1699 >> bitcast<u32>(11u));
+                                            let _e1724 = (bitcast<f32>((bitcast<u32>((_e846.member.member_1.x - _e846.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1725 = (bitcast<f32>((bitcast<u32>((_e846.member.member_1.y - _e846.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1726 = (bitcast<f32>((bitcast<u32>((_e846.member.member_1.z - _e846.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1728 = select(_e163, _e1724, (_e1724 > _e163));
+                                            let _e1730 = select(_e163, _e1725, (_e1725 > _e163));
+                                            let _e1732 = select(_e163, _e1726, (_e1726 > _e163));
+                                            let _e1763 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1681 & 1023u))) - 8388608f) * _e1728));
+                                            let _e1768 = (bitcast<i32>((_e1681 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1771 = bitcast<f32>((_e1763 & bitcast<u32>(_e1768)));
+                                            let _e1772 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1690 & 1023u))) - 8388608f) * _e1730));
+                                            let _e1777 = (bitcast<i32>((_e1690 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1780 = bitcast<f32>((_e1772 & bitcast<u32>(_e1777)));
+                                            let _e1781 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1699 & 1023u))) - 8388608f) * _e1732));
+                                            let _e1786 = (bitcast<i32>((_e1699 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1789 = bitcast<f32>((_e1781 & bitcast<u32>(_e1786)));
+                                            let _e1793 = bitcast<f32>((_e1763 & bitcast<u32>(~(_e1768))));
+                                            let _e1797 = bitcast<f32>((_e1772 & bitcast<u32>(~(_e1777))));
+                                            let _e1801 = bitcast<f32>((_e1781 & bitcast<u32>(~(_e1786))));
+                                            let _e1802 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1683 & 1023u))) - 8388608f) * _e1728));
+                                            let _e1807 = (bitcast<i32>((_e1683 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1810 = bitcast<f32>((_e1802 & bitcast<u32>(_e1807)));
+                                            let _e1811 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1692 & 1023u))) - 8388608f) * _e1730));
+                                            let _e1816 = (bitcast<i32>((_e1692 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1819 = bitcast<f32>((_e1811 & bitcast<u32>(_e1816)));
+                                            let _e1820 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1701 & 1023u))) - 8388608f) * _e1732));
+                                            let _e1825 = (bitcast<i32>((_e1701 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1828 = bitcast<f32>((_e1820 & bitcast<u32>(_e1825)));
+                                            let _e1832 = bitcast<f32>((_e1802 & bitcast<u32>(~(_e1807))));
+                                            let _e1836 = bitcast<f32>((_e1811 & bitcast<u32>(~(_e1816))));
+                                            let _e1840 = bitcast<f32>((_e1820 & bitcast<u32>(~(_e1825))));
+                                            let _e1870 = global_4.member[_e846.member_1][0u];
+                                            let _e1874 = global_4.member[_e846.member_1][1u];
+                                            let _e1878 = global_4.member[_e846.member_1][2u];
+                                            let _e1882 = global_4.member[_e846.member_1][3u];
+                                            let _e1894 = (((_e1874 >> bitcast<u32>(22i)) | ((_e1878 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1882 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1895 = (_e1870 & 268435455u);
+                                            let _e1896 = (_e1894 & 268435455u);
+                                            let _e1899 = ((_e1870 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1907 = ((_e1870 >> bitcast<u32>(31i)) | (((_e1894 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1908 = (_e1899 != 0u);
+                                            if (_e1899 == 0u) {
+                                                phi_3651_ = _e1895;
                                             } else {
-                                                if (_e1081 == 7u) {
-                                                    phi_3654_ = 2147483648u;
+                                                if (_e1899 == 7u) {
+                                                    phi_3650_ = 2147483648u;
                                                 } else {
-                                                    phi_3654_ = ((2147483648u | (_e1081 << bitcast<u32>(28u))) | (_e1078 & 268435455u));
+                                                    phi_3650_ = ((2147483648u | (_e1899 << bitcast<u32>(28u))) | (_e1896 & 268435455u));
                                                 }
-                                                let _e1099 = phi_3654_;
-                                                phi_3655_ = _e1099;
+                                                let _e1917 = phi_3650_;
+                                                phi_3651_ = _e1917;
                                             }
-                                            let _e1101 = phi_3655_;
-                                            if _e1090 {
-                                                let _e1102 = (_e1081 != 7u);
-                                                if _e1102 {
-                                                    phi_3665_ = (_e1078 + _e1081);
+                                            let _e1919 = phi_3651_;
+                                            if _e1908 {
+                                                let _e1920 = (_e1899 != 7u);
+                                                if _e1920 {
+                                                    phi_3661_ = (_e1896 + _e1899);
                                                 } else {
-                                                    phi_3665_ = u32();
+                                                    phi_3661_ = u32();
                                                 }
-                                                let _e1105 = phi_3665_;
-                                                phi_3667_ = _e1105;
-                                                phi_3668_ = select(true, false, _e1102);
+                                                let _e1923 = phi_3661_;
+                                                phi_3663_ = _e1923;
+                                                phi_3664_ = select(true, false, _e1920);
                                             } else {
-                                                phi_3667_ = u32();
-                                                phi_3668_ = true;
+                                                phi_3663_ = u32();
+                                                phi_3664_ = true;
                                             }
-                                            let _e1108 = phi_3667_;
-                                            let _e1110 = phi_3668_;
-                                            if (_e1089 == 0u) {
-                                                phi_3689_ = (_e1077 + select(0u, 1u, !(_e1090)));
+                                            let _e1926 = phi_3663_;
+                                            let _e1928 = phi_3664_;
+                                            if (_e1907 == 0u) {
+                                                phi_3685_ = (_e1895 + select(0u, 1u, !(_e1908)));
                                             } else {
-                                                if (_e1089 == 7u) {
-                                                    phi_3688_ = 2147483648u;
+                                                if (_e1907 == 7u) {
+                                                    phi_3684_ = 2147483648u;
                                                 } else {
-                                                    phi_3688_ = ((2147483648u | (_e1089 << bitcast<u32>(28u))) | (select(_e1108, _e1078, _e1110) & 268435455u));
+                                                    phi_3684_ = ((2147483648u | (_e1907 << bitcast<u32>(28u))) | (select(_e1926, _e1896, _e1928) & 268435455u));
                                                 }
-                                                let _e1123 = phi_3688_;
-                                                phi_3689_ = _e1123;
+                                                let _e1941 = phi_3684_;
+                                                phi_3685_ = _e1941;
                                             }
-                                            let _e1125 = phi_3689_;
-                                            phi_3693_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e846.member.member.x + _e953), (_e846.member.member.x + _e975), (_e846.member.member_1.x - _e992), (_e846.member.member_1.x - _e1014)), vec4<f32>((_e846.member.member.y + _e962), (_e846.member.member.y + _e979), (_e846.member.member_1.y - _e1001), (_e846.member.member_1.y - _e1018)), vec4<f32>((_e846.member.member.z + _e971), (_e846.member.member.z + _e983), (_e846.member.member_1.z - _e1010), (_e846.member.member_1.z - _e1022))), type_62(type_42((_e846.member.member + vec4<f32>(_e953, _e962, _e971, 0f)), (_e846.member.member_1 - vec4<f32>(_e992, _e1001, _e1010, 0f))), _e1101), type_62(type_42((_e846.member.member + vec4<f32>(_e975, _e979, _e983, 0f)), (_e846.member.member_1 - vec4<f32>(_e1014, _e1018, _e1022, 0f))), _e1125));
+                                            let _e1943 = phi_3685_;
+                                            phi_3689_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e846.member.member.x + _e1771), (_e846.member.member.x + _e1793), (_e846.member.member_1.x - _e1810), (_e846.member.member_1.x - _e1832)), vec4<f32>((_e846.member.member.y + _e1780), (_e846.member.member.y + _e1797), (_e846.member.member_1.y - _e1819), (_e846.member.member_1.y - _e1836)), vec4<f32>((_e846.member.member.z + _e1789), (_e846.member.member.z + _e1801), (_e846.member.member_1.z - _e1828), (_e846.member.member_1.z - _e1840))), type_62(type_42((_e846.member.member + vec4<f32>(_e1771, _e1780, _e1789, 0f)), (_e846.member.member_1 - vec4<f32>(_e1810, _e1819, _e1828, 0f))), _e1919), type_62(type_42((_e846.member.member + vec4<f32>(_e1793, _e1797, _e1801, 0f)), (_e846.member.member_1 - vec4<f32>(_e1832, _e1836, _e1840, 0f))), _e1943));
                                         }
-                                        let _e1130 = phi_3693_;
-                                        let _e1142 = ((_e1130.member[0].x - _e511) * _e516);
-                                        let _e1143 = ((_e1130.member[0].y - _e511) * _e516);
-                                        let _e1144 = ((_e1130.member[0].z - _e512) * _e516);
-                                        let _e1145 = ((_e1130.member[0].w - _e512) * _e516);
-                                        let _e1155 = ((_e1130.member[1].x - _e577) * _e582);
-                                        let _e1156 = ((_e1130.member[1].y - _e577) * _e582);
-                                        let _e1157 = ((_e1130.member[1].z - _e578) * _e582);
-                                        let _e1158 = ((_e1130.member[1].w - _e578) * _e582);
-                                        let _e1168 = ((_e1130.member[2].x - _e643) * _e648);
-                                        let _e1169 = ((_e1130.member[2].y - _e643) * _e648);
-                                        let _e1170 = ((_e1130.member[2].z - _e644) * _e648);
-                                        let _e1171 = ((_e1130.member[2].w - _e644) * _e648);
-                                        let _e1173 = select(_e1170, _e1168, (_e1168 < _e1170));
-                                        let _e1175 = select(_e1171, _e1169, (_e1169 < _e1171));
-                                        let _e1177 = select(_e1170, _e1168, (_e1168 > _e1170));
-                                        let _e1179 = select(_e1171, _e1169, (_e1169 > _e1171));
-                                        let _e1181 = select(_e1144, _e1142, (_e1142 < _e1144));
-                                        let _e1183 = select(_e1145, _e1143, (_e1143 < _e1145));
-                                        let _e1185 = select(_e1157, _e1155, (_e1155 < _e1157));
-                                        let _e1187 = select(_e1158, _e1156, (_e1156 < _e1158));
-                                        let _e1189 = select(_e1185, _e1181, (_e1181 > _e1185));
-                                        let _e1191 = select(_e1187, _e1183, (_e1183 > _e1187));
-                                        let _e1193 = select(_e1173, _e1189, (_e1189 > _e1173));
-                                        let _e1195 = select(_e1175, _e1191, (_e1191 > _e1175));
-                                        let _e1197 = select(_e1144, _e1142, (_e1142 > _e1144));
-                                        let _e1199 = select(_e1145, _e1143, (_e1143 > _e1145));
-                                        let _e1201 = select(_e1157, _e1155, (_e1155 > _e1157));
-                                        let _e1203 = select(_e1158, _e1156, (_e1156 > _e1158));
-                                        let _e1205 = select(_e1201, _e1197, (_e1197 < _e1201));
-                                        let _e1207 = select(_e1203, _e1199, (_e1199 < _e1203));
-                                        let _e1212 = -(_e1173);
-                                        let _e1213 = -(_e1175);
-                                        let _e1220 = (select(_e1177, _e1205, (_e1205 < _e1177)) + (select(_e1212, _e1177, (_e1177 > _e1212)) * 0.0000019073523f));
-                                        let _e1221 = (select(_e1179, _e1207, (_e1207 < _e1179)) + (select(_e1213, _e1179, (_e1179 > _e1213)) * 0.0000019073523f));
-                                        let _e1223 = select(_e759, _e1193, (_e1193 > _e759));
-                                        let _e1225 = select(_e759, _e1195, (_e1195 > _e759));
-                                        let _e1230 = (_e1223 <= select(_e803.member_1, _e1220, (_e1220 < _e803.member_1)));
-                                        let _e1231 = (_e1225 <= select(_e803.member_1, _e1221, (_e1221 < _e803.member_1)));
-                                        let _e1232 = (_e1223 <= _e1225);
-                                        if _e1230 {
-                                            if _e1231 {
-                                                if _e1232 {
-                                                    phi_4055_ = _e1130.member_2;
+                                        let _e1948 = phi_3689_;
+                                        let _e1960 = ((_e1948.member[0].x - _e511) * _e516);
+                                        let _e1961 = ((_e1948.member[0].y - _e511) * _e516);
+                                        let _e1962 = ((_e1948.member[0].z - _e512) * _e516);
+                                        let _e1963 = ((_e1948.member[0].w - _e512) * _e516);
+                                        let _e1973 = ((_e1948.member[1].x - _e577) * _e582);
+                                        let _e1974 = ((_e1948.member[1].y - _e577) * _e582);
+                                        let _e1975 = ((_e1948.member[1].z - _e578) * _e582);
+                                        let _e1976 = ((_e1948.member[1].w - _e578) * _e582);
+                                        let _e1986 = ((_e1948.member[2].x - _e643) * _e648);
+                                        let _e1987 = ((_e1948.member[2].y - _e643) * _e648);
+                                        let _e1988 = ((_e1948.member[2].z - _e644) * _e648);
+                                        let _e1989 = ((_e1948.member[2].w - _e644) * _e648);
+                                        let _e1991 = select(_e1988, _e1986, (_e1986 < _e1988));
+                                        let _e1993 = select(_e1989, _e1987, (_e1987 < _e1989));
+                                        let _e1995 = select(_e1988, _e1986, (_e1986 > _e1988));
+                                        let _e1997 = select(_e1989, _e1987, (_e1987 > _e1989));
+                                        let _e1999 = select(_e1962, _e1960, (_e1960 < _e1962));
+                                        let _e2001 = select(_e1963, _e1961, (_e1961 < _e1963));
+                                        let _e2003 = select(_e1975, _e1973, (_e1973 < _e1975));
+                                        let _e2005 = select(_e1976, _e1974, (_e1974 < _e1976));
+                                        let _e2007 = select(_e2003, _e1999, (_e1999 > _e2003));
+                                        let _e2009 = select(_e2005, _e2001, (_e2001 > _e2005));
+                                        let _e2011 = select(_e1991, _e2007, (_e2007 > _e1991));
+                                        let _e2013 = select(_e1993, _e2009, (_e2009 > _e1993));
+                                        let _e2015 = select(_e1962, _e1960, (_e1960 > _e1962));
+                                        let _e2017 = select(_e1963, _e1961, (_e1961 > _e1963));
+                                        let _e2019 = select(_e1975, _e1973, (_e1973 > _e1975));
+                                        let _e2021 = select(_e1976, _e1974, (_e1974 > _e1976));
+                                        let _e2023 = select(_e2019, _e2015, (_e2015 < _e2019));
+                                        let _e2025 = select(_e2021, _e2017, (_e2017 < _e2021));
+                                        let _e2030 = -(_e1991);
+                                        let _e2031 = -(_e1993);
+                                        let _e2038 = (select(_e1995, _e2023, (_e2023 < _e1995)) + (select(_e2030, _e1995, (_e1995 > _e2030)) * 0.0000019073523f));
+                                        let _e2039 = (select(_e1997, _e2025, (_e2025 < _e1997)) + (select(_e2031, _e1997, (_e1997 > _e2031)) * 0.0000019073523f));
+                                        let _e2041 = select(_e759, _e2011, (_e2011 > _e759));
+                                        let _e2043 = select(_e759, _e2013, (_e2013 > _e759));
+                                        let _e2048 = (_e2041 <= select(_e1672.member_1, _e2038, (_e2038 < _e1672.member_1)));
+                                        let _e2049 = (_e2043 <= select(_e1672.member_1, _e2039, (_e2039 < _e1672.member_1)));
+                                        let _e2050 = (_e2041 <= _e2043);
+                                        if _e2048 {
+                                            if _e2049 {
+                                                if _e2050 {
+                                                    phi_4051_ = _e1948.member_2;
                                                 } else {
-                                                    phi_4055_ = _e1130.member_1;
+                                                    phi_4051_ = _e1948.member_1;
                                                 }
-                                                let _e1236 = phi_4055_;
-                                                let _e1258 = (_e844 % 128u);
-                                                let _e1259 = (_e1258 < 128u);
-                                                if _e1259 {
+                                                let _e2054 = phi_4051_;
+                                                let _e2075 = (_e844 % 128u);
+                                                let _e2076 = (_e2075 < 128u);
+                                                if _e2076 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1258] = _e1236.member_1;
-                                                if _e1259 {
+                                                local_8[_e2075] = _e2054.member_1;
+                                                if _e2076 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1258] = _e1236.member.member.x;
-                                                if _e1259 {
+                                                local_7[_e2075] = _e2054.member.member.x;
+                                                if _e2076 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1258] = _e1236.member.member.y;
-                                                if _e1259 {
+                                                local_6[_e2075] = _e2054.member.member.y;
+                                                if _e2076 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1258] = _e1236.member.member.z;
-                                                if _e1259 {
+                                                local_5[_e2075] = _e2054.member.member.z;
+                                                if _e2076 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1258] = _e1236.member.member_1.x;
-                                                if _e1259 {
+                                                local_4[_e2075] = _e2054.member.member_1.x;
+                                                if _e2076 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1258] = _e1236.member.member_1.y;
-                                                if _e1259 {
+                                                local_3[_e2075] = _e2054.member.member_1.y;
+                                                if _e2076 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1258] = _e1236.member.member_1.z;
-                                                if _e1259 {
+                                                local_2[_e2075] = _e2054.member.member_1.z;
+                                                if _e2076 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1258] = select(_e1225, _e1223, !(_e1232));
-                                                if _e1232 {
-                                                    phi_4132_ = _e1130.member_1;
+                                                local_9[_e2075] = select(_e2041, _e2043, _e2050);
+                                                if _e2050 {
+                                                    phi_4127_ = _e1948.member_1;
                                                 } else {
-                                                    phi_4132_ = _e1130.member_2;
+                                                    phi_4127_ = _e1948.member_2;
                                                 }
-                                                let _e1272 = phi_4132_;
-                                                phi_4133_ = (_e844 + 1u);
-                                                phi_4134_ = _e1272;
+                                                let _e2089 = phi_4127_;
+                                                phi_4128_ = (_e844 + 1u);
+                                                phi_4129_ = _e2089;
                                             } else {
-                                                phi_4133_ = u32();
-                                                phi_4134_ = type_62();
+                                                phi_4128_ = u32();
+                                                phi_4129_ = type_62();
                                             }
-                                            let _e1274 = phi_4133_;
-                                            let _e1276 = phi_4134_;
-                                            phi_4136_ = _e1274;
-                                            phi_4137_ = _e1276;
-                                            phi_4138_ = select(true, false, _e1231);
+                                            let _e2091 = phi_4128_;
+                                            let _e2093 = phi_4129_;
+                                            phi_4131_ = _e2091;
+                                            phi_4132_ = _e2093;
+                                            phi_4133_ = select(true, false, _e2049);
                                         } else {
-                                            phi_4136_ = u32();
-                                            phi_4137_ = type_62();
-                                            phi_4138_ = true;
+                                            phi_4131_ = u32();
+                                            phi_4132_ = type_62();
+                                            phi_4133_ = true;
                                         }
-                                        let _e1279 = phi_4136_;
-                                        let _e1281 = phi_4137_;
-                                        let _e1283 = phi_4138_;
-                                        if _e1283 {
-                                            if _e1230 {
-                                                phi_4147_ = _e1130.member_1;
+                                        let _e2096 = phi_4131_;
+                                        let _e2098 = phi_4132_;
+                                        let _e2100 = phi_4133_;
+                                        if _e2100 {
+                                            if _e2048 {
+                                                phi_4142_ = _e1948.member_1;
                                             } else {
-                                                phi_4147_ = _e1130.member_2;
+                                                phi_4142_ = _e1948.member_2;
                                             }
-                                            let _e1287 = phi_4147_;
-                                            phi_4152_ = select(_e1231, true, _e1230);
-                                            phi_4154_ = _e1287;
+                                            let _e2104 = phi_4142_;
+                                            phi_4147_ = select(_e2049, true, _e2048);
+                                            phi_4149_ = _e2104;
                                         } else {
-                                            phi_4152_ = _e842;
-                                            phi_4154_ = _e1281;
+                                            phi_4147_ = _e842;
+                                            phi_4149_ = _e2098;
                                         }
-                                        let _e1290 = phi_4152_;
-                                        let _e1292 = phi_4154_;
-                                        phi_4799_ = _e801;
-                                        phi_4158_ = _e803;
-                                        phi_4159_ = _e1290;
-                                        phi_4160_ = select(_e1279, _e844, _e1283);
-                                        phi_4161_ = _e1292;
+                                        let _e2107 = phi_4147_;
+                                        let _e2109 = phi_4149_;
+                                        phi_4153_ = _e2107;
+                                        phi_4154_ = select(_e2096, _e844, _e2100);
+                                        phi_4155_ = _e2109;
                                     }
-                                    let _e2109 = phi_4799_;
-                                    let _e2111 = phi_4158_;
-                                    let _e2113 = phi_4159_;
-                                    let _e2115 = phi_4160_;
-                                    let _e2117 = phi_4161_;
-                                    phi_4798_ = _e2109;
-                                    phi_4162_ = _e2111;
-                                    phi_4163_ = _e2113;
-                                    phi_4164_ = (_e807 - 1u);
-                                    phi_4165_ = _e2115;
-                                    phi_4166_ = _e2117;
+                                    let _e2112 = phi_4153_;
+                                    let _e2114 = phi_4154_;
+                                    let _e2116 = phi_4155_;
+                                    if _e850 {
+                                        phi_4165_ = _e846;
+                                    } else {
+                                        phi_4165_ = _e2116;
+                                    }
+                                    let _e2118 = phi_4165_;
+                                    phi_4802_ = _e1670;
+                                    phi_4166_ = _e1672;
+                                    phi_4167_ = (_e805 - 1u);
+                                    phi_4168_ = select(_e2112, false, _e850);
+                                    phi_4169_ = select(_e2114, _e844, _e850);
+                                    phi_4170_ = _e2118;
                                 } else {
-                                    phi_4798_ = _e801;
-                                    phi_4162_ = _e803;
-                                    phi_4163_ = _e842;
-                                    phi_4164_ = _e807;
-                                    phi_4165_ = _e844;
-                                    phi_4166_ = _e846;
+                                    phi_4802_ = _e801;
+                                    phi_4166_ = _e803;
+                                    phi_4167_ = _e805;
+                                    phi_4168_ = _e842;
+                                    phi_4169_ = _e844;
+                                    phi_4170_ = _e846;
                                 }
-                                let _e2119 = phi_4798_;
-                                let _e2121 = phi_4162_;
-                                let _e2123 = phi_4163_;
-                                let _e2125 = phi_4164_;
-                                let _e2127 = phi_4165_;
-                                let _e2129 = phi_4166_;
-                                phi_4797_ = _e2119;
-                                phi_4167_ = _e2121;
-                                phi_4168_ = _e2123;
-                                phi_4169_ = _e2125;
-                                phi_4170_ = _e2127;
-                                phi_4171_ = _e2129;
+                                let _e2122 = phi_4802_;
+                                let _e2124 = phi_4166_;
+                                let _e2126 = phi_4167_;
+                                let _e2128 = phi_4168_;
+                                let _e2130 = phi_4169_;
+                                let _e2132 = phi_4170_;
+                                phi_4801_ = _e2122;
+                                phi_4171_ = _e2124;
+                                phi_4172_ = _e2126;
+                                phi_4173_ = _e2128;
+                                phi_4174_ = _e2130;
+                                phi_4175_ = _e2132;
                             } else {
-                                phi_4797_ = _e801;
-                                phi_4167_ = type_48();
-                                phi_4168_ = bool();
-                                phi_4169_ = u32();
-                                phi_4170_ = u32();
-                                phi_4171_ = type_62();
+                                phi_4801_ = _e801;
+                                phi_4171_ = type_48();
+                                phi_4172_ = u32();
+                                phi_4173_ = bool();
+                                phi_4174_ = u32();
+                                phi_4175_ = type_62();
                             }
-                            let _e2131 = phi_4797_;
-                            let _e2133 = phi_4167_;
-                            let _e2135 = phi_4168_;
-                            let _e2137 = phi_4169_;
-                            let _e2139 = phi_4170_;
-                            let _e2141 = phi_4171_;
-                            phi_4796_ = _e2131;
-                            phi_1396_ = _e2133;
-                            phi_1399_ = _e2135;
-                            phi_1401_ = _e2137;
-                            phi_1403_ = _e2139;
-                            phi_1405_ = _e2141;
-                            phi_4172_ = _e815;
+                            let _e2134 = phi_4801_;
+                            let _e2136 = phi_4171_;
+                            let _e2138 = phi_4172_;
+                            let _e2140 = phi_4173_;
+                            let _e2142 = phi_4174_;
+                            let _e2144 = phi_4175_;
+                            phi_4800_ = _e2134;
+                            phi_1396_ = _e2136;
+                            phi_1399_ = _e2138;
+                            phi_1401_ = _e2140;
+                            phi_1403_ = _e2142;
+                            phi_1405_ = _e2144;
+                            phi_4176_ = _e815;
                         } else {
-                            phi_4796_ = _e801;
+                            phi_4800_ = _e801;
                             phi_1396_ = type_48();
-                            phi_1399_ = bool();
-                            phi_1401_ = u32();
+                            phi_1399_ = u32();
+                            phi_1401_ = bool();
                             phi_1403_ = u32();
                             phi_1405_ = type_62();
-                            phi_4172_ = false;
+                            phi_4176_ = false;
                         }
-                        let _e2143 = phi_4796_;
-                        let _e2145 = phi_1396_;
-                        let _e2147 = phi_1399_;
-                        let _e2149 = phi_1401_;
-                        let _e2151 = phi_1403_;
-                        let _e2153 = phi_1405_;
-                        let _e2155 = phi_4172_;
+                        let _e2146 = phi_4800_;
+                        let _e2148 = phi_1396_;
+                        let _e2150 = phi_1399_;
+                        let _e2152 = phi_1401_;
+                        let _e2154 = phi_1403_;
+                        let _e2156 = phi_1405_;
+                        let _e2158 = phi_4176_;
                         continue;
                         continuing {
-                            phi_4609_ = _e2143;
-                            phi_1395_ = _e2145;
-                            phi_1398_ = _e2147;
-                            phi_1400_ = _e2149;
-                            phi_1402_ = _e2151;
-                            phi_1404_ = _e2153;
-                            phi_4795_ = _e2143;
-                            break if !(_e2155);
+                            phi_4613_ = _e2146;
+                            phi_1395_ = _e2148;
+                            phi_1398_ = _e2150;
+                            phi_1400_ = _e2152;
+                            phi_1402_ = _e2154;
+                            phi_1404_ = _e2156;
+                            phi_4799_ = _e2146;
+                            break if !(_e2158);
                         }
                     }
-                    let _e2158 = phi_4795_;
-                    if _e2158 {
+                    let _e2161 = phi_4799_;
+                    if _e2161 {
                         break;
                     }
-                    let _e2160 = local_10;
-                    if (_e2160.member.member_3 != 4294967295u) {
-                        let _e2165 = bitcast<u32>(_e2160.member.member);
-                        let _e2169 = (bitcast<i32>((_e2165 >> bitcast<u32>(23i))) & 255i);
-                        let _e2170 = (_e2169 + _e428);
-                        if (_e2169 == 255i) {
-                            phi_4231_ = _e2160.member.member;
+                    let _e2163 = local_10;
+                    if (_e2163.member.member_3 != 4294967295u) {
+                        let _e2168 = bitcast<u32>(_e2163.member.member);
+                        let _e2172 = (bitcast<i32>((_e2168 >> bitcast<u32>(23i))) & 255i);
+                        let _e2173 = (_e2172 + _e428);
+                        if (_e2172 == 255i) {
+                            phi_4235_ = _e2163.member.member;
                         } else {
-                            if (_e2169 > 0i) {
-                                if (_e2170 > 0i) {
-                                    let _e2174 = (_e2170 < 255i);
-                                    if _e2174 {
-                                        phi_4210_ = bitcast<f32>((_e2165 + bitcast<u32>((_e428 << bitcast<u32>(23i)))));
+                            if (_e2172 > 0i) {
+                                if (_e2173 > 0i) {
+                                    let _e2177 = (_e2173 < 255i);
+                                    if _e2177 {
+                                        phi_4214_ = bitcast<f32>((_e2168 + bitcast<u32>((_e428 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4210_ = f32();
+                                        phi_4214_ = f32();
                                     }
-                                    let _e2181 = phi_4210_;
-                                    phi_4212_ = _e2181;
-                                    phi_4213_ = select(true, false, _e2174);
+                                    let _e2184 = phi_4214_;
+                                    phi_4216_ = _e2184;
+                                    phi_4217_ = select(true, false, _e2177);
                                 } else {
-                                    phi_4212_ = f32();
-                                    phi_4213_ = true;
+                                    phi_4216_ = f32();
+                                    phi_4217_ = true;
                                 }
-                                let _e2184 = phi_4212_;
-                                let _e2186 = phi_4213_;
-                                phi_4214_ = _e2184;
-                                phi_4215_ = _e2186;
+                                let _e2187 = phi_4216_;
+                                let _e2189 = phi_4217_;
+                                phi_4218_ = _e2187;
+                                phi_4219_ = _e2189;
                             } else {
-                                phi_4214_ = f32();
-                                phi_4215_ = true;
+                                phi_4218_ = f32();
+                                phi_4219_ = true;
                             }
-                            let _e2188 = phi_4214_;
-                            let _e2190 = phi_4215_;
-                            if _e2190 {
-                                let _e2191 = (_e2165 & 2147483648u);
-                                let _e2198 = ((_e2165 & 8388607u) | (select(0u, 1u, ((_e2165 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2202 = (_e2198 == 0u);
-                                if _e2202 {
-                                    phi_4561_ = bitcast<f32>(_e2191);
+                            let _e2191 = phi_4218_;
+                            let _e2193 = phi_4219_;
+                            if _e2193 {
+                                let _e2194 = (_e2168 & 2147483648u);
+                                let _e2201 = ((_e2168 & 8388607u) | (select(0u, 1u, ((_e2168 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2205 = (_e2201 == 0u);
+                                if _e2205 {
+                                    phi_4565_ = bitcast<f32>(_e2194);
                                 } else {
-                                    let _e2207 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2198)), 32u, _e2202) - 8u);
-                                    let _e2210 = (_e2198 << bitcast<u32>((_e2207 & 31u)));
-                                    let _e2212 = ((_e2170 + select(0i, 1i, (_e2169 == 0i))) - bitcast<i32>(_e2207));
-                                    if (_e2212 >= 255i) {
-                                        phi_4551_ = bitcast<f32>((_e2191 | 2139095040u));
-                                        phi_4552_ = f32();
-                                        phi_4553_ = true;
+                                    let _e2210 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2201)), 32u, _e2205) - 8u);
+                                    let _e2213 = (_e2201 << bitcast<u32>((_e2210 & 31u)));
+                                    let _e2215 = ((_e2173 + select(0i, 1i, (_e2172 == 0i))) - bitcast<i32>(_e2210));
+                                    if (_e2215 >= 255i) {
+                                        phi_4555_ = bitcast<f32>((_e2194 | 2139095040u));
+                                        phi_4556_ = f32();
+                                        phi_4557_ = true;
                                     } else {
-                                        let _e2214 = (_e2212 > 0i);
-                                        if _e2214 {
-                                            phi_4545_ = bitcast<f32>(((_e2191 | (bitcast<u32>(_e2212) << bitcast<u32>(23i))) | (_e2210 & 8388607u)));
-                                            phi_4546_ = f32();
+                                        let _e2217 = (_e2215 > 0i);
+                                        if _e2217 {
+                                            phi_4549_ = bitcast<f32>(((_e2194 | (bitcast<u32>(_e2215) << bitcast<u32>(23i))) | (_e2213 & 8388607u)));
+                                            phi_4550_ = f32();
                                         } else {
-                                            if (_e2212 < -24i) {
-                                                phi_4511_ = 26u;
+                                            if (_e2215 < -24i) {
+                                                phi_4515_ = 26u;
                                             } else {
-                                                phi_4511_ = bitcast<u32>((1i - _e2212));
+                                                phi_4515_ = bitcast<u32>((1i - _e2215));
                                             }
-                                            let _e2219 = phi_4511_;
-                                            let _e2220 = (_e2219 & 31u);
-                                            let _e2222 = (_e2210 >> bitcast<u32>(_e2220));
-                                            let _e2226 = (_e2210 & ((1u << bitcast<u32>(_e2220)) - 1u));
-                                            let _e2230 = (1u << bitcast<u32>(((_e2219 - 1u) & 31u)));
-                                            if (_e2226 > _e2230) {
-                                                phi_4532_ = true;
+                                            let _e2222 = phi_4515_;
+                                            let _e2223 = (_e2222 & 31u);
+                                            let _e2225 = (_e2213 >> bitcast<u32>(_e2223));
+                                            let _e2229 = (_e2213 & ((1u << bitcast<u32>(_e2223)) - 1u));
+                                            let _e2233 = (1u << bitcast<u32>(((_e2222 - 1u) & 31u)));
+                                            if (_e2229 > _e2233) {
+                                                phi_4536_ = true;
                                             } else {
-                                                if (_e2226 == _e2230) {
-                                                    phi_4529_ = ((_e2222 & 1u) == 1u);
+                                                if (_e2229 == _e2233) {
+                                                    phi_4533_ = ((_e2225 & 1u) == 1u);
                                                 } else {
-                                                    phi_4529_ = false;
+                                                    phi_4533_ = false;
                                                 }
-                                                let _e2236 = phi_4529_;
-                                                phi_4532_ = _e2236;
+                                                let _e2239 = phi_4533_;
+                                                phi_4536_ = _e2239;
                                             }
-                                            let _e2238 = phi_4532_;
-                                            phi_4545_ = f32();
-                                            phi_4546_ = bitcast<f32>((_e2191 | (_e2222 + select(0u, 1u, _e2238))));
+                                            let _e2241 = phi_4536_;
+                                            phi_4549_ = f32();
+                                            phi_4550_ = bitcast<f32>((_e2194 | (_e2225 + select(0u, 1u, _e2241))));
                                         }
-                                        let _e2251 = phi_4545_;
-                                        let _e2253 = phi_4546_;
-                                        phi_4551_ = _e2251;
-                                        phi_4552_ = _e2253;
-                                        phi_4553_ = _e2214;
+                                        let _e2254 = phi_4549_;
+                                        let _e2256 = phi_4550_;
+                                        phi_4555_ = _e2254;
+                                        phi_4556_ = _e2256;
+                                        phi_4557_ = _e2217;
                                     }
-                                    let _e2257 = phi_4551_;
-                                    let _e2259 = phi_4552_;
-                                    let _e2261 = phi_4553_;
-                                    phi_4561_ = select(_e2259, _e2257, _e2261);
+                                    let _e2260 = phi_4555_;
+                                    let _e2262 = phi_4556_;
+                                    let _e2264 = phi_4557_;
+                                    phi_4565_ = select(_e2262, _e2260, _e2264);
                                 }
-                                let _e2265 = phi_4561_;
-                                phi_4230_ = _e2265;
+                                let _e2268 = phi_4565_;
+                                phi_4234_ = _e2268;
                             } else {
-                                phi_4230_ = _e2188;
+                                phi_4234_ = _e2191;
                             }
-                            let _e2267 = phi_4230_;
-                            phi_4231_ = _e2267;
+                            let _e2270 = phi_4234_;
+                            phi_4235_ = _e2270;
                         }
-                        let _e2269 = phi_4231_;
-                        let _e2270 = bitcast<u32>(_e2269);
-                        if ((_e2270 & 2147483647u) >= 2139095040u) {
-                            phi_4243_ = bitcast<f32>(((_e2270 & 2147483648u) | 2139095039u));
+                        let _e2272 = phi_4235_;
+                        let _e2273 = bitcast<u32>(_e2272);
+                        if ((_e2273 & 2147483647u) >= 2139095040u) {
+                            phi_4247_ = bitcast<f32>(((_e2273 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4243_ = _e2269;
+                            phi_4247_ = _e2272;
                         }
-                        let _e2277 = phi_4243_;
-                        phi_4248_ = type_30(_e2277, _e2160.member.member_1, _e2160.member.member_2, _e2160.member.member_3);
+                        let _e2280 = phi_4247_;
+                        phi_4252_ = type_30(_e2280, _e2163.member.member_1, _e2163.member.member_2, _e2163.member.member_3);
                     } else {
-                        phi_4248_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4252_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2282 = phi_4248_;
+                    let _e2285 = phi_4252_;
                     if _e305 {
                     } else {
                         break;
                     }
-                    global_9.member[_e151] = _e2282;
+                    global_9.member[_e151] = _e2285;
                     if _e166 {
                     } else {
                         break;
                     }
-                    let _e2286 = select(0u, 1u, (_e372 <= _e382));
-                    if (_e2286 > 0u) {
-                        let _e2288 = (1u < _e119);
-                        if _e2288 {
+                    let _e2289 = select(0u, 1u, (_e372 <= _e382));
+                    if (_e2289 > 0u) {
+                        let _e2291 = (1u < _e119);
+                        if _e2291 {
                             if (0u < _e119) {
                             } else {
                                 break;
                             }
-                            let _e2292 = atomicAdd((&global_10.member[0u]), _e2286);
-                            if ((_e2292 + _e2286) < _e2292) {
-                                if _e2288 {
+                            let _e2295 = atomicAdd((&global_10.member[0u]), _e2289);
+                            if ((_e2295 + _e2289) < _e2295) {
+                                if _e2291 {
                                 } else {
                                     break;
                                 }
-                                let _e2297 = atomicAdd((&global_10.member[1u]), 1u);
+                                let _e2300 = atomicAdd((&global_10.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2300 = select(0u, 1u, (_e2282.member_3 != 4294967295u));
-                    if (_e2300 > 0u) {
-                        let _e2302 = (3u < _e119);
-                        if _e2302 {
+                    let _e2303 = select(0u, 1u, (_e2285.member_3 != 4294967295u));
+                    if (_e2303 > 0u) {
+                        let _e2305 = (3u < _e119);
+                        if _e2305 {
                             if (2u < _e119) {
                             } else {
                                 break;
                             }
-                            let _e2306 = atomicAdd((&global_10.member[2u]), _e2300);
-                            if ((_e2306 + _e2300) < _e2306) {
-                                if _e2302 {
+                            let _e2309 = atomicAdd((&global_10.member[2u]), _e2303);
+                            if ((_e2309 + _e2303) < _e2309) {
+                                if _e2305 {
                                 } else {
                                     break;
                                 }
-                                let _e2311 = atomicAdd((&global_10.member[3u]), 1u);
+                                let _e2314 = atomicAdd((&global_10.member[3u]), 1u);
                             }
                         }
                     }

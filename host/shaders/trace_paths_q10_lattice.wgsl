@@ -155,36 +155,16 @@ fn function_() {
     var phi_1296_: u32;
     var phi_1304_: f32;
     var phi_1305_: f32;
-    var phi_5276_: bool;
+    var phi_5280_: bool;
     var phi_1401_: type_43;
-    var phi_1404_: bool;
-    var phi_1406_: u32;
+    var phi_1404_: u32;
+    var phi_1406_: bool;
     var phi_1408_: u32;
     var phi_1410_: type_57;
     var phi_1421_: bool;
     var phi_1507_: bool;
     var phi_1508_: u32;
     var phi_1509_: type_57;
-    var phi_4061_: u32;
-    var phi_4067_: u32;
-    var phi_4321_: u32;
-    var phi_4322_: u32;
-    var phi_4332_: u32;
-    var phi_4334_: u32;
-    var phi_4335_: bool;
-    var phi_4355_: u32;
-    var phi_4356_: u32;
-    var phi_4360_: type_58;
-    var phi_4722_: type_57;
-    var phi_4799_: type_57;
-    var phi_4800_: u32;
-    var phi_4801_: type_57;
-    var phi_4803_: u32;
-    var phi_4804_: type_57;
-    var phi_4805_: bool;
-    var phi_4814_: type_57;
-    var phi_4819_: bool;
-    var phi_4821_: type_57;
     var phi_1528_: type_43;
     var phi_1531_: type_8;
     var phi_1532_: type_8;
@@ -276,51 +256,72 @@ fn function_() {
     var phi_3553_: type_43;
     var phi_3554_: type_43;
     var phi_1529_: type_43;
-    var phi_5270_: bool;
-    var phi_5513_: bool;
-    var phi_4825_: type_43;
-    var phi_4826_: bool;
-    var phi_4827_: u32;
-    var phi_4828_: type_57;
-    var phi_5512_: bool;
-    var phi_4829_: type_43;
-    var phi_4830_: bool;
-    var phi_4831_: u32;
-    var phi_4832_: u32;
-    var phi_4833_: type_57;
-    var phi_5511_: bool;
-    var phi_4834_: type_43;
+    var phi_5274_: bool;
+    var phi_5604_: bool;
+    var phi_3555_: type_43;
+    var phi_4057_: u32;
+    var phi_4063_: u32;
+    var phi_4317_: u32;
+    var phi_4318_: u32;
+    var phi_4328_: u32;
+    var phi_4330_: u32;
+    var phi_4331_: bool;
+    var phi_4351_: u32;
+    var phi_4352_: u32;
+    var phi_4356_: type_58;
+    var phi_4718_: type_57;
+    var phi_4794_: type_57;
+    var phi_4795_: u32;
+    var phi_4796_: type_57;
+    var phi_4798_: u32;
+    var phi_4799_: type_57;
+    var phi_4800_: bool;
+    var phi_4809_: type_57;
+    var phi_4814_: bool;
+    var phi_4816_: type_57;
+    var phi_4820_: bool;
+    var phi_4821_: u32;
+    var phi_4822_: type_57;
+    var phi_4832_: type_57;
+    var phi_5516_: bool;
+    var phi_4833_: type_43;
+    var phi_4834_: u32;
     var phi_4835_: bool;
     var phi_4836_: u32;
-    var phi_4837_: u32;
-    var phi_4838_: type_57;
-    var phi_5510_: bool;
+    var phi_4837_: type_57;
+    var phi_5515_: bool;
+    var phi_4838_: type_43;
+    var phi_4839_: u32;
+    var phi_4840_: bool;
+    var phi_4841_: u32;
+    var phi_4842_: type_57;
+    var phi_5514_: bool;
     var phi_1402_: type_43;
-    var phi_1405_: bool;
-    var phi_1407_: u32;
+    var phi_1405_: u32;
+    var phi_1407_: bool;
     var phi_1409_: u32;
     var phi_1411_: type_57;
-    var phi_4839_: bool;
-    var phi_5509_: bool;
+    var phi_4843_: bool;
+    var phi_5513_: bool;
     var local_10: type_43;
-    var phi_4877_: f32;
-    var phi_4879_: f32;
-    var phi_4880_: bool;
     var phi_4881_: f32;
-    var phi_4882_: bool;
-    var phi_5178_: u32;
-    var phi_5196_: bool;
-    var phi_5199_: bool;
-    var phi_5212_: f32;
-    var phi_5213_: f32;
-    var phi_5218_: f32;
-    var phi_5219_: f32;
-    var phi_5220_: bool;
-    var phi_5228_: f32;
-    var phi_4897_: f32;
-    var phi_4898_: f32;
-    var phi_4910_: f32;
-    var phi_4915_: type_25;
+    var phi_4883_: f32;
+    var phi_4884_: bool;
+    var phi_4885_: f32;
+    var phi_4886_: bool;
+    var phi_5182_: u32;
+    var phi_5200_: bool;
+    var phi_5203_: bool;
+    var phi_5216_: f32;
+    var phi_5217_: f32;
+    var phi_5222_: f32;
+    var phi_5223_: f32;
+    var phi_5224_: bool;
+    var phi_5232_: f32;
+    var phi_4901_: f32;
+    var phi_4902_: f32;
+    var phi_4914_: f32;
+    var phi_4919_: type_25;
     var local_11: type_43;
 
     switch bitcast<i32>(0u) {
@@ -723,31 +724,31 @@ fn function_() {
                         break;
                     }
                     let _e796 = local[_e780];
-                    phi_5276_ = false;
+                    phi_5280_ = false;
                     phi_1401_ = type_43(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e762);
-                    phi_1404_ = (_e764 <= _e762);
-                    phi_1406_ = ((3u * _e109) + 1u);
+                    phi_1404_ = ((3u * _e109) + 1u);
+                    phi_1406_ = (_e764 <= _e762);
                     phi_1408_ = 0u;
                     phi_1410_ = type_57(type_37(vec4<f32>((f32(_e771) * _e168), (f32(_e777) * _e168), (f32(_e783) * _e168), 0f), vec4<f32>((f32(_e788) * _e168), (f32(_e792) * _e168), (f32(_e796) * _e168), 0f)), select(0u, 2147483648u, (_e109 == 0u)));
                     loop {
-                        let _e806 = phi_5276_;
+                        let _e806 = phi_5280_;
                         let _e808 = phi_1401_;
                         let _e810 = phi_1404_;
                         let _e812 = phi_1406_;
                         let _e814 = phi_1408_;
                         let _e816 = phi_1410_;
                         local_10 = _e808;
-                        if _e810 {
+                        if _e812 {
                             phi_1421_ = true;
                         } else {
                             phi_1421_ = (_e814 > 0u);
                         }
                         let _e819 = phi_1421_;
                         if _e819 {
-                            let _e820 = (_e812 > 0u);
+                            let _e820 = (_e810 > 0u);
                             if _e820 {
-                                if _e810 {
-                                    phi_1507_ = _e810;
+                                if _e812 {
+                                    phi_1507_ = _e812;
                                     phi_1508_ = _e814;
                                     phi_1509_ = _e816;
                                 } else {
@@ -756,49 +757,49 @@ fn function_() {
                                     let _e823 = (_e822 < 128u);
                                     if _e823 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e825 = local_7[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e827 = local_6[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e829 = local_5[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e831 = local_4[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e833 = local_3[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e835 = local_2[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e840 = local_8[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e843 = local_9[_e822];
@@ -810,38 +811,39 @@ fn function_() {
                                 let _e849 = phi_1508_;
                                 let _e851 = phi_1509_;
                                 if _e847 {
+                                    let _e855 = ((_e851.member_1 & 2147483648u) != 0u);
                                     let _e856 = (_e851.member_1 & 268435455u);
-                                    if ((_e851.member_1 & 2147483648u) != 0u) {
+                                    if _e855 {
                                         phi_1528_ = _e808;
                                         phi_1531_ = type_8(0u, ((_e851.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1322 = phi_1528_;
-                                            let _e1324 = phi_1531_;
-                                            local_11 = _e1322;
-                                            if (_e1324.member < _e1324.member_1) {
-                                                phi_1532_ = type_8((_e1324.member + 1u), _e1324.member_1);
-                                                phi_1554_ = type_8(1u, _e1324.member);
+                                            let _e863 = phi_1528_;
+                                            let _e865 = phi_1531_;
+                                            local_11 = _e863;
+                                            if (_e865.member < _e865.member_1) {
+                                                phi_1532_ = type_8((_e865.member + 1u), _e865.member_1);
+                                                phi_1554_ = type_8(1u, _e865.member);
                                             } else {
-                                                phi_1532_ = _e1324;
+                                                phi_1532_ = _e865;
                                                 phi_1554_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1337 = phi_1532_;
-                                            let _e1339 = phi_1554_;
-                                            let _e1343 = (bitcast<i32>(_e1339.member) != 0i);
-                                            if _e1343 {
-                                                let _e1348 = (_e851.member.member_1.x - _e851.member.member.x);
-                                                let _e1351 = (_e851.member.member_1.y - _e851.member.member.y);
-                                                let _e1354 = (_e851.member.member_1.z - _e851.member.member.z);
-                                                let _e1356 = select(_e1351, _e1348, (_e1348 > _e1351));
-                                                let _e1358 = select(_e1354, _e1356, (_e1356 > _e1354));
-                                                let _e1360 = (_e1358 < (1024f * _e168));
-                                                if _e1360 {
+                                            let _e878 = phi_1532_;
+                                            let _e880 = phi_1554_;
+                                            let _e884 = (bitcast<i32>(_e880.member) != 0i);
+                                            if _e884 {
+                                                let _e889 = (_e851.member.member_1.x - _e851.member.member.x);
+                                                let _e892 = (_e851.member.member_1.y - _e851.member.member.y);
+                                                let _e895 = (_e851.member.member_1.z - _e851.member.member.z);
+                                                let _e897 = select(_e892, _e889, (_e889 > _e892));
+                                                let _e899 = select(_e895, _e897, (_e897 > _e895));
+                                                let _e901 = (_e899 < (1024f * _e168));
+                                                if _e901 {
                                                     phi_1595_ = 0u;
                                                 } else {
-                                                    phi_1595_ = select(2u, 1u, (_e1358 < (2097152f * _e168)));
+                                                    phi_1595_ = select(2u, 1u, (_e899 < (2097152f * _e168)));
                                                 }
-                                                let _e1365 = phi_1595_;
-                                                switch bitcast<i32>(_e1365) {
+                                                let _e906 = phi_1595_;
+                                                switch bitcast<i32>(_e906) {
                                                     case 0: {
                                                         phi_1601_ = 1u;
                                                         break;
@@ -859,8 +861,8 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1368 = phi_1601_;
-                                                switch bitcast<i32>(_e1365) {
+                                                let _e909 = phi_1601_;
+                                                switch bitcast<i32>(_e906) {
                                                     case 0: {
                                                         phi_1611_ = 1u;
                                                         break;
@@ -878,28 +880,28 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1375 = phi_1611_;
-                                                let _e1377 = ((_e856 + (_e1339.member_1 * ((3u * _e1368) + 1u))) + (3u * _e1375));
-                                                let _e1378 = (_e1377 < _e112);
-                                                if _e1378 {
-                                                    if _e1378 {
+                                                let _e916 = phi_1611_;
+                                                let _e918 = ((_e856 + (_e880.member_1 * ((3u * _e909) + 1u))) + (3u * _e916));
+                                                let _e919 = (_e918 < _e112);
+                                                if _e919 {
+                                                    if _e919 {
                                                     } else {
-                                                        phi_5270_ = true;
+                                                        phi_5274_ = true;
                                                         break;
                                                     }
-                                                    let _e1380 = global_10.member[_e1377];
-                                                    phi_1627_ = _e1380;
+                                                    let _e921 = global_10.member[_e918];
+                                                    phi_1627_ = _e921;
                                                 } else {
                                                     phi_1627_ = 4294967295u;
                                                 }
-                                                let _e1382 = phi_1627_;
-                                                if _e1360 {
+                                                let _e923 = phi_1627_;
+                                                if _e901 {
                                                     phi_1660_ = 0u;
                                                 } else {
-                                                    phi_1660_ = select(2u, 1u, (_e1358 < (2097152f * _e168)));
+                                                    phi_1660_ = select(2u, 1u, (_e899 < (2097152f * _e168)));
                                                 }
-                                                let _e1387 = phi_1660_;
-                                                switch bitcast<i32>(_e1387) {
+                                                let _e928 = phi_1660_;
+                                                switch bitcast<i32>(_e928) {
                                                     case 0: {
                                                         phi_1666_ = 1u;
                                                         break;
@@ -917,331 +919,331 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1390 = phi_1666_;
-                                                let _e1394 = (_e856 + (_e1339.member_1 * ((3u * _e1390) + 1u)));
-                                                switch bitcast<i32>(_e1387) {
+                                                let _e931 = phi_1666_;
+                                                let _e935 = (_e856 + (_e880.member_1 * ((3u * _e931) + 1u)));
+                                                switch bitcast<i32>(_e928) {
                                                     case 0: {
-                                                        let _e1669 = (_e1394 < _e112);
-                                                        if _e1669 {
-                                                            if _e1669 {
+                                                        let _e1210 = (_e935 < _e112);
+                                                        if _e1210 {
+                                                            if _e1210 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1671 = global_10.member[_e1394];
-                                                            phi_1693_ = _e1671;
+                                                            let _e1212 = global_10.member[_e935];
+                                                            phi_1693_ = _e1212;
                                                         } else {
                                                             phi_1693_ = 0u;
                                                         }
-                                                        let _e1673 = phi_1693_;
-                                                        let _e1675 = ((10u * _e431) & 31u);
-                                                        let _e1685 = ((10u * _e430) & 31u);
-                                                        let _e1695 = ((10u * _e432) & 31u);
-                                                        let _e1705 = (_e1394 + 1u);
-                                                        let _e1706 = (_e1705 < _e112);
-                                                        if _e1706 {
-                                                            if _e1706 {
+                                                        let _e1214 = phi_1693_;
+                                                        let _e1216 = ((10u * _e431) & 31u);
+                                                        let _e1226 = ((10u * _e430) & 31u);
+                                                        let _e1236 = ((10u * _e432) & 31u);
+                                                        let _e1246 = (_e935 + 1u);
+                                                        let _e1247 = (_e1246 < _e112);
+                                                        if _e1247 {
+                                                            if _e1247 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1708 = global_10.member[_e1705];
-                                                            phi_1742_ = _e1708;
+                                                            let _e1249 = global_10.member[_e1246];
+                                                            phi_1742_ = _e1249;
                                                         } else {
                                                             phi_1742_ = 0u;
                                                         }
-                                                        let _e1710 = phi_1742_;
-                                                        let _e1736 = (_e1394 + 2u);
-                                                        let _e1737 = (_e1736 < _e112);
-                                                        if _e1737 {
-                                                            if _e1737 {
+                                                        let _e1251 = phi_1742_;
+                                                        let _e1277 = (_e935 + 2u);
+                                                        let _e1278 = (_e1277 < _e112);
+                                                        if _e1278 {
+                                                            if _e1278 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1739 = global_10.member[_e1736];
-                                                            phi_1791_ = _e1739;
+                                                            let _e1280 = global_10.member[_e1277];
+                                                            phi_1791_ = _e1280;
                                                         } else {
                                                             phi_1791_ = 0u;
                                                         }
-                                                        let _e1741 = phi_1791_;
-                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))));
+                                                        let _e1282 = phi_1791_;
+                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | ((_e1214 >> bitcast<u32>(_e1216)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | ((_e1214 >> bitcast<u32>(_e1226)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | ((_e1214 >> bitcast<u32>(_e1236)) & 1023u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | ((_e1251 >> bitcast<u32>(_e1216)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | ((_e1251 >> bitcast<u32>(_e1226)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | ((_e1251 >> bitcast<u32>(_e1236)) & 1023u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | ((_e1282 >> bitcast<u32>(_e1216)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | ((_e1282 >> bitcast<u32>(_e1226)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | ((_e1282 >> bitcast<u32>(_e1236)) & 1023u))) - 8388608f) * _e168))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1483 = (_e1394 < _e112);
-                                                        if _e1483 {
-                                                            if _e1483 {
+                                                        let _e1024 = (_e935 < _e112);
+                                                        if _e1024 {
+                                                            if _e1024 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1485 = global_10.member[_e1394];
-                                                            phi_1840_ = _e1485;
+                                                            let _e1026 = global_10.member[_e935];
+                                                            phi_1840_ = _e1026;
                                                         } else {
                                                             phi_1840_ = 0u;
                                                         }
-                                                        let _e1487 = phi_1840_;
-                                                        let _e1488 = (_e1394 + 1u);
-                                                        let _e1489 = (_e1488 < _e112);
-                                                        if _e1489 {
-                                                            if _e1489 {
+                                                        let _e1028 = phi_1840_;
+                                                        let _e1029 = (_e935 + 1u);
+                                                        let _e1030 = (_e1029 < _e112);
+                                                        if _e1030 {
+                                                            if _e1030 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1491 = global_10.member[_e1488];
-                                                            phi_1855_ = _e1491;
+                                                            let _e1032 = global_10.member[_e1029];
+                                                            phi_1855_ = _e1032;
                                                         } else {
                                                             phi_1855_ = 0u;
                                                         }
-                                                        let _e1493 = phi_1855_;
-                                                        let _e1494 = (_e431 == 1u);
-                                                        if _e1494 {
-                                                            phi_1865_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
+                                                        let _e1034 = phi_1855_;
+                                                        let _e1035 = (_e431 == 1u);
+                                                        if _e1035 {
+                                                            phi_1865_ = ((_e1028 >> bitcast<u32>(21i)) | (_e1034 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1865_ = (_e1493 >> bitcast<u32>(10i));
+                                                            phi_1865_ = (_e1034 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1503 = phi_1865_;
-                                                        let _e1511 = (_e430 == 1u);
-                                                        if _e1511 {
-                                                            phi_1886_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
+                                                        let _e1044 = phi_1865_;
+                                                        let _e1052 = (_e430 == 1u);
+                                                        if _e1052 {
+                                                            phi_1886_ = ((_e1028 >> bitcast<u32>(21i)) | (_e1034 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1886_ = (_e1493 >> bitcast<u32>(10i));
+                                                            phi_1886_ = (_e1034 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1520 = phi_1886_;
-                                                        let _e1528 = (_e432 == 1u);
-                                                        if _e1528 {
-                                                            phi_1907_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
+                                                        let _e1061 = phi_1886_;
+                                                        let _e1069 = (_e432 == 1u);
+                                                        if _e1069 {
+                                                            phi_1907_ = ((_e1028 >> bitcast<u32>(21i)) | (_e1034 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1907_ = (_e1493 >> bitcast<u32>(10i));
+                                                            phi_1907_ = (_e1034 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1537 = phi_1907_;
-                                                        let _e1546 = (_e1394 + 2u);
-                                                        let _e1547 = (_e1546 < _e112);
-                                                        if _e1547 {
-                                                            if _e1547 {
+                                                        let _e1078 = phi_1907_;
+                                                        let _e1087 = (_e935 + 2u);
+                                                        let _e1088 = (_e1087 < _e112);
+                                                        if _e1088 {
+                                                            if _e1088 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1549 = global_10.member[_e1546];
-                                                            phi_1937_ = _e1549;
+                                                            let _e1090 = global_10.member[_e1087];
+                                                            phi_1937_ = _e1090;
                                                         } else {
                                                             phi_1937_ = 0u;
                                                         }
-                                                        let _e1551 = phi_1937_;
-                                                        let _e1552 = (_e1394 + 3u);
-                                                        let _e1553 = (_e1552 < _e112);
-                                                        if _e1553 {
-                                                            if _e1553 {
+                                                        let _e1092 = phi_1937_;
+                                                        let _e1093 = (_e935 + 3u);
+                                                        let _e1094 = (_e1093 < _e112);
+                                                        if _e1094 {
+                                                            if _e1094 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1555 = global_10.member[_e1552];
-                                                            phi_1952_ = _e1555;
+                                                            let _e1096 = global_10.member[_e1093];
+                                                            phi_1952_ = _e1096;
                                                         } else {
                                                             phi_1952_ = 0u;
                                                         }
-                                                        let _e1557 = phi_1952_;
-                                                        if _e1494 {
-                                                            phi_1962_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
+                                                        let _e1098 = phi_1952_;
+                                                        if _e1035 {
+                                                            phi_1962_ = ((_e1092 >> bitcast<u32>(21i)) | (_e1098 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1962_ = (_e1557 >> bitcast<u32>(10i));
+                                                            phi_1962_ = (_e1098 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1566 = phi_1962_;
-                                                        if _e1511 {
-                                                            phi_1983_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
+                                                        let _e1107 = phi_1962_;
+                                                        if _e1052 {
+                                                            phi_1983_ = ((_e1092 >> bitcast<u32>(21i)) | (_e1098 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1983_ = (_e1557 >> bitcast<u32>(10i));
+                                                            phi_1983_ = (_e1098 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1582 = phi_1983_;
-                                                        if _e1528 {
-                                                            phi_2004_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
+                                                        let _e1123 = phi_1983_;
+                                                        if _e1069 {
+                                                            phi_2004_ = ((_e1092 >> bitcast<u32>(21i)) | (_e1098 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2004_ = (_e1557 >> bitcast<u32>(10i));
+                                                            phi_2004_ = (_e1098 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1598 = phi_2004_;
-                                                        let _e1607 = (_e1394 + 4u);
-                                                        let _e1608 = (_e1607 < _e112);
-                                                        if _e1608 {
-                                                            if _e1608 {
+                                                        let _e1139 = phi_2004_;
+                                                        let _e1148 = (_e935 + 4u);
+                                                        let _e1149 = (_e1148 < _e112);
+                                                        if _e1149 {
+                                                            if _e1149 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1610 = global_10.member[_e1607];
-                                                            phi_2034_ = _e1610;
+                                                            let _e1151 = global_10.member[_e1148];
+                                                            phi_2034_ = _e1151;
                                                         } else {
                                                             phi_2034_ = 0u;
                                                         }
-                                                        let _e1612 = phi_2034_;
-                                                        let _e1613 = (_e1394 + 5u);
-                                                        let _e1614 = (_e1613 < _e112);
-                                                        if _e1614 {
-                                                            if _e1614 {
+                                                        let _e1153 = phi_2034_;
+                                                        let _e1154 = (_e935 + 5u);
+                                                        let _e1155 = (_e1154 < _e112);
+                                                        if _e1155 {
+                                                            if _e1155 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1616 = global_10.member[_e1613];
-                                                            phi_2049_ = _e1616;
+                                                            let _e1157 = global_10.member[_e1154];
+                                                            phi_2049_ = _e1157;
                                                         } else {
                                                             phi_2049_ = 0u;
                                                         }
-                                                        let _e1618 = phi_2049_;
-                                                        if _e1494 {
-                                                            phi_2059_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
+                                                        let _e1159 = phi_2049_;
+                                                        if _e1035 {
+                                                            phi_2059_ = ((_e1153 >> bitcast<u32>(21i)) | (_e1159 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2059_ = (_e1618 >> bitcast<u32>(10i));
+                                                            phi_2059_ = (_e1159 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1627 = phi_2059_;
-                                                        if _e1511 {
-                                                            phi_2080_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
+                                                        let _e1168 = phi_2059_;
+                                                        if _e1052 {
+                                                            phi_2080_ = ((_e1153 >> bitcast<u32>(21i)) | (_e1159 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2080_ = (_e1618 >> bitcast<u32>(10i));
+                                                            phi_2080_ = (_e1159 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1643 = phi_2080_;
-                                                        if _e1528 {
-                                                            phi_2101_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
+                                                        let _e1184 = phi_2080_;
+                                                        if _e1069 {
+                                                            phi_2101_ = ((_e1153 >> bitcast<u32>(21i)) | (_e1159 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2101_ = (_e1618 >> bitcast<u32>(10i));
+                                                            phi_2101_ = (_e1159 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1659 = phi_2101_;
-                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1503, _e1487, _e455) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1520, _e1487, _e522) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1537, _e1487, _e588) & 2097151u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1566, _e1551, _e455) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1582, _e1551, _e522) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1598, _e1551, _e588) & 2097151u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1627, _e1612, _e455) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1643, _e1612, _e522) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1659, _e1612, _e588) & 2097151u))) - 8388608f) * _e168))));
+                                                        let _e1200 = phi_2101_;
+                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1044, _e1028, _e455) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1061, _e1028, _e522) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1078, _e1028, _e588) & 2097151u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1107, _e1092, _e455) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1123, _e1092, _e522) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1139, _e1092, _e588) & 2097151u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1168, _e1153, _e455) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1184, _e1153, _e522) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1200, _e1153, _e588) & 2097151u))) - 8388608f) * _e168))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1396 = (_e1394 + _e431);
-                                                        let _e1397 = (_e1396 < _e112);
-                                                        if _e1397 {
-                                                            if _e1397 {
+                                                        let _e937 = (_e935 + _e431);
+                                                        let _e938 = (_e937 < _e112);
+                                                        if _e938 {
+                                                            if _e938 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1399 = global_10.member[_e1396];
-                                                            phi_2132_ = _e1399;
+                                                            let _e940 = global_10.member[_e937];
+                                                            phi_2132_ = _e940;
                                                         } else {
                                                             phi_2132_ = 0u;
                                                         }
-                                                        let _e1401 = phi_2132_;
-                                                        let _e1405 = (_e1394 + _e430);
-                                                        let _e1406 = (_e1405 < _e112);
-                                                        if _e1406 {
-                                                            if _e1406 {
+                                                        let _e942 = phi_2132_;
+                                                        let _e946 = (_e935 + _e430);
+                                                        let _e947 = (_e946 < _e112);
+                                                        if _e947 {
+                                                            if _e947 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1408 = global_10.member[_e1405];
-                                                            phi_2150_ = _e1408;
+                                                            let _e949 = global_10.member[_e946];
+                                                            phi_2150_ = _e949;
                                                         } else {
                                                             phi_2150_ = 0u;
                                                         }
-                                                        let _e1410 = phi_2150_;
-                                                        let _e1414 = (_e1394 + _e432);
-                                                        let _e1415 = (_e1414 < _e112);
-                                                        if _e1415 {
-                                                            if _e1415 {
+                                                        let _e951 = phi_2150_;
+                                                        let _e955 = (_e935 + _e432);
+                                                        let _e956 = (_e955 < _e112);
+                                                        if _e956 {
+                                                            if _e956 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1417 = global_10.member[_e1414];
-                                                            phi_2168_ = _e1417;
+                                                            let _e958 = global_10.member[_e955];
+                                                            phi_2168_ = _e958;
                                                         } else {
                                                             phi_2168_ = 0u;
                                                         }
-                                                        let _e1419 = phi_2168_;
-                                                        let _e1424 = (_e1394 + 3u);
-                                                        let _e1425 = (_e1424 + _e431);
-                                                        let _e1426 = (_e1425 < _e112);
-                                                        if _e1426 {
-                                                            if _e1426 {
+                                                        let _e960 = phi_2168_;
+                                                        let _e965 = (_e935 + 3u);
+                                                        let _e966 = (_e965 + _e431);
+                                                        let _e967 = (_e966 < _e112);
+                                                        if _e967 {
+                                                            if _e967 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1428 = global_10.member[_e1425];
-                                                            phi_2191_ = _e1428;
+                                                            let _e969 = global_10.member[_e966];
+                                                            phi_2191_ = _e969;
                                                         } else {
                                                             phi_2191_ = 0u;
                                                         }
-                                                        let _e1430 = phi_2191_;
-                                                        let _e1434 = (_e1424 + _e430);
-                                                        let _e1435 = (_e1434 < _e112);
-                                                        if _e1435 {
-                                                            if _e1435 {
+                                                        let _e971 = phi_2191_;
+                                                        let _e975 = (_e965 + _e430);
+                                                        let _e976 = (_e975 < _e112);
+                                                        if _e976 {
+                                                            if _e976 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1437 = global_10.member[_e1434];
-                                                            phi_2209_ = _e1437;
+                                                            let _e978 = global_10.member[_e975];
+                                                            phi_2209_ = _e978;
                                                         } else {
                                                             phi_2209_ = 0u;
                                                         }
-                                                        let _e1439 = phi_2209_;
-                                                        let _e1443 = (_e1424 + _e432);
-                                                        let _e1444 = (_e1443 < _e112);
-                                                        if _e1444 {
-                                                            if _e1444 {
+                                                        let _e980 = phi_2209_;
+                                                        let _e984 = (_e965 + _e432);
+                                                        let _e985 = (_e984 < _e112);
+                                                        if _e985 {
+                                                            if _e985 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1446 = global_10.member[_e1443];
-                                                            phi_2227_ = _e1446;
+                                                            let _e987 = global_10.member[_e984];
+                                                            phi_2227_ = _e987;
                                                         } else {
                                                             phi_2227_ = 0u;
                                                         }
-                                                        let _e1448 = phi_2227_;
-                                                        let _e1453 = (_e1394 + 6u);
-                                                        let _e1454 = (_e1453 + _e431);
-                                                        let _e1455 = (_e1454 < _e112);
-                                                        if _e1455 {
-                                                            if _e1455 {
+                                                        let _e989 = phi_2227_;
+                                                        let _e994 = (_e935 + 6u);
+                                                        let _e995 = (_e994 + _e431);
+                                                        let _e996 = (_e995 < _e112);
+                                                        if _e996 {
+                                                            if _e996 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1457 = global_10.member[_e1454];
-                                                            phi_2250_ = _e1457;
+                                                            let _e998 = global_10.member[_e995];
+                                                            phi_2250_ = _e998;
                                                         } else {
                                                             phi_2250_ = 0u;
                                                         }
-                                                        let _e1459 = phi_2250_;
-                                                        let _e1463 = (_e1453 + _e430);
-                                                        let _e1464 = (_e1463 < _e112);
-                                                        if _e1464 {
-                                                            if _e1464 {
+                                                        let _e1000 = phi_2250_;
+                                                        let _e1004 = (_e994 + _e430);
+                                                        let _e1005 = (_e1004 < _e112);
+                                                        if _e1005 {
+                                                            if _e1005 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1466 = global_10.member[_e1463];
-                                                            phi_2268_ = _e1466;
+                                                            let _e1007 = global_10.member[_e1004];
+                                                            phi_2268_ = _e1007;
                                                         } else {
                                                             phi_2268_ = 0u;
                                                         }
-                                                        let _e1468 = phi_2268_;
-                                                        let _e1472 = (_e1453 + _e432);
-                                                        let _e1473 = (_e1472 < _e112);
-                                                        if _e1473 {
-                                                            if _e1473 {
+                                                        let _e1009 = phi_2268_;
+                                                        let _e1013 = (_e994 + _e432);
+                                                        let _e1014 = (_e1013 < _e112);
+                                                        if _e1014 {
+                                                            if _e1014 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1475 = global_10.member[_e1472];
-                                                            phi_2286_ = _e1475;
+                                                            let _e1016 = global_10.member[_e1013];
+                                                            phi_2286_ = _e1016;
                                                         } else {
                                                             phi_2286_ = 0u;
                                                         }
-                                                        let _e1477 = phi_2286_;
-                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1401)) * _e168), (f32(bitcast<i32>(_e1410)) * _e168), (f32(bitcast<i32>(_e1419)) * _e168)), array<f32, 3>((f32(bitcast<i32>(_e1430)) * _e168), (f32(bitcast<i32>(_e1439)) * _e168), (f32(bitcast<i32>(_e1448)) * _e168)), array<f32, 3>((f32(bitcast<i32>(_e1459)) * _e168), (f32(bitcast<i32>(_e1468)) * _e168), (f32(bitcast<i32>(_e1477)) * _e168)));
+                                                        let _e1018 = phi_2286_;
+                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e942)) * _e168), (f32(bitcast<i32>(_e951)) * _e168), (f32(bitcast<i32>(_e960)) * _e168)), array<f32, 3>((f32(bitcast<i32>(_e971)) * _e168), (f32(bitcast<i32>(_e980)) * _e168), (f32(bitcast<i32>(_e989)) * _e168)), array<f32, 3>((f32(bitcast<i32>(_e1000)) * _e168), (f32(bitcast<i32>(_e1009)) * _e168), (f32(bitcast<i32>(_e1018)) * _e168)));
                                                         break;
                                                     }
                                                     default: {
@@ -1249,991 +1251,1000 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1769 = phi_2292_;
-                                                let _e1777 = (_e1769[0][2] - _e611);
-                                                let _e1780 = (((_e1769[0][0] - _e478) * _e650) - (_e1777 * _e518));
-                                                let _e1783 = (((_e1769[0][1] - _e545) * _e650) - (_e1777 * _e584));
-                                                let _e1790 = (_e1769[1][2] - _e611);
-                                                let _e1793 = (((_e1769[1][0] - _e478) * _e650) - (_e1790 * _e518));
-                                                let _e1796 = (((_e1769[1][1] - _e545) * _e650) - (_e1790 * _e584));
-                                                let _e1803 = (_e1769[2][2] - _e611);
-                                                let _e1806 = (((_e1769[2][0] - _e478) * _e650) - (_e1803 * _e518));
-                                                let _e1809 = (((_e1769[2][1] - _e545) * _e650) - (_e1803 * _e584));
-                                                let _e1810 = (_e1806 * _e1796);
-                                                let _e1811 = (_e1809 * _e1793);
-                                                let _e1812 = (_e1780 * _e1809);
-                                                let _e1813 = (_e1783 * _e1806);
-                                                let _e1814 = (_e1793 * _e1783);
-                                                let _e1815 = (_e1796 * _e1780);
-                                                let _e1820 = (((_e1810 >= _e1811) && (_e1812 >= _e1813)) && (_e1814 >= _e1815));
-                                                if (_e1820 || (((_e1810 <= _e1811) && (_e1812 <= _e1813)) && (_e1814 <= _e1815))) {
-                                                    let _e1827 = select(-1f, 1f, _e1820);
-                                                    let _e1829 = ((_e1810 - _e1811) * _e1827);
-                                                    let _e1831 = select(0f, _e1829, (_e1829 > 0f));
-                                                    let _e1833 = ((_e1812 - _e1813) * _e1827);
-                                                    let _e1835 = select(0f, _e1833, (_e1833 > 0f));
-                                                    let _e1837 = ((_e1814 - _e1815) * _e1827);
-                                                    let _e1839 = select(0f, _e1837, (_e1837 > 0f));
-                                                    let _e1841 = ((_e1831 + _e1835) + _e1839);
-                                                    if (_e1841 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e1310 = phi_2292_;
+                                                let _e1318 = (_e1310[0][2] - _e611);
+                                                let _e1321 = (((_e1310[0][0] - _e478) * _e650) - (_e1318 * _e518));
+                                                let _e1324 = (((_e1310[0][1] - _e545) * _e650) - (_e1318 * _e584));
+                                                let _e1331 = (_e1310[1][2] - _e611);
+                                                let _e1334 = (((_e1310[1][0] - _e478) * _e650) - (_e1331 * _e518));
+                                                let _e1337 = (((_e1310[1][1] - _e545) * _e650) - (_e1331 * _e584));
+                                                let _e1344 = (_e1310[2][2] - _e611);
+                                                let _e1347 = (((_e1310[2][0] - _e478) * _e650) - (_e1344 * _e518));
+                                                let _e1350 = (((_e1310[2][1] - _e545) * _e650) - (_e1344 * _e584));
+                                                let _e1351 = (_e1347 * _e1337);
+                                                let _e1352 = (_e1350 * _e1334);
+                                                let _e1353 = (_e1321 * _e1350);
+                                                let _e1354 = (_e1324 * _e1347);
+                                                let _e1355 = (_e1334 * _e1324);
+                                                let _e1356 = (_e1337 * _e1321);
+                                                let _e1361 = (((_e1351 >= _e1352) && (_e1353 >= _e1354)) && (_e1355 >= _e1356));
+                                                if (_e1361 || (((_e1351 <= _e1352) && (_e1353 <= _e1354)) && (_e1355 <= _e1356))) {
+                                                    let _e1368 = select(-1f, 1f, _e1361);
+                                                    let _e1370 = ((_e1351 - _e1352) * _e1368);
+                                                    let _e1372 = select(0f, _e1370, (_e1370 > 0f));
+                                                    let _e1374 = ((_e1353 - _e1354) * _e1368);
+                                                    let _e1376 = select(0f, _e1374, (_e1374 > 0f));
+                                                    let _e1378 = ((_e1355 - _e1356) * _e1368);
+                                                    let _e1380 = select(0f, _e1378, (_e1378 > 0f));
+                                                    let _e1382 = ((_e1372 + _e1376) + _e1380);
+                                                    if (_e1382 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_3176_ = type_25();
                                                         phi_3177_ = true;
                                                         phi_3178_ = false;
                                                     } else {
-                                                        let _e1844 = select(_e1793, _e1780, (_e1780 < _e1793));
-                                                        if (select(_e1806, _e1844, (_e1844 < _e1806)) > 0f) {
+                                                        let _e1385 = select(_e1334, _e1321, (_e1321 < _e1334));
+                                                        if (select(_e1347, _e1385, (_e1385 < _e1347)) > 0f) {
                                                             phi_2444_ = true;
                                                         } else {
-                                                            let _e1849 = select(_e1793, _e1780, (_e1780 > _e1793));
-                                                            phi_2444_ = (select(_e1806, _e1849, (_e1849 > _e1806)) < 0f);
+                                                            let _e1390 = select(_e1334, _e1321, (_e1321 > _e1334));
+                                                            phi_2444_ = (select(_e1347, _e1390, (_e1390 > _e1347)) < 0f);
                                                         }
-                                                        let _e1854 = phi_2444_;
-                                                        if _e1854 {
+                                                        let _e1395 = phi_2444_;
+                                                        if _e1395 {
                                                             phi_3173_ = type_25();
                                                             phi_3174_ = true;
                                                             phi_3175_ = false;
                                                         } else {
-                                                            let _e1856 = select(_e1796, _e1783, (_e1783 < _e1796));
-                                                            if (select(_e1809, _e1856, (_e1856 < _e1809)) > 0f) {
+                                                            let _e1397 = select(_e1337, _e1324, (_e1324 < _e1337));
+                                                            if (select(_e1350, _e1397, (_e1397 < _e1350)) > 0f) {
                                                                 phi_2473_ = true;
                                                             } else {
-                                                                let _e1861 = select(_e1796, _e1783, (_e1783 > _e1796));
-                                                                phi_2473_ = (select(_e1809, _e1861, (_e1861 > _e1809)) < 0f);
+                                                                let _e1402 = select(_e1337, _e1324, (_e1324 > _e1337));
+                                                                phi_2473_ = (select(_e1350, _e1402, (_e1402 > _e1350)) < 0f);
                                                             }
-                                                            let _e1866 = phi_2473_;
-                                                            if _e1866 {
+                                                            let _e1407 = phi_2473_;
+                                                            if _e1407 {
                                                                 phi_3171_ = type_25();
                                                                 phi_3172_ = false;
                                                             } else {
-                                                                let _e1868 = select(_e1769[1][0], _e1769[0][0], (_e1769[0][0] < _e1769[1][0]));
-                                                                let _e1872 = select(_e1769[1][0], _e1769[0][0], (_e1769[0][0] > _e1769[1][0]));
-                                                                let _e1876 = select(_e1769[1][1], _e1769[0][1], (_e1769[0][1] < _e1769[1][1]));
-                                                                let _e1880 = select(_e1769[1][1], _e1769[0][1], (_e1769[0][1] > _e1769[1][1]));
-                                                                let _e1884 = select(_e1769[1][2], _e1769[0][2], (_e1769[0][2] < _e1769[1][2]));
-                                                                let _e1888 = select(_e1769[1][2], _e1769[0][2], (_e1769[0][2] > _e1769[1][2]));
-                                                                let _e1893 = ((select(_e1769[2][0], _e1868, (_e1868 < _e1769[2][0])) - _e516) * _e521);
-                                                                let _e1894 = ((select(_e1769[2][0], _e1872, (_e1872 > _e1769[2][0])) - _e517) * _e521);
-                                                                let _e1897 = ((select(_e1769[2][1], _e1876, (_e1876 < _e1769[2][1])) - _e582) * _e587);
-                                                                let _e1898 = ((select(_e1769[2][1], _e1880, (_e1880 > _e1769[2][1])) - _e583) * _e587);
-                                                                let _e1901 = ((select(_e1769[2][2], _e1884, (_e1884 < _e1769[2][2])) - _e648) * _e653);
-                                                                let _e1902 = ((select(_e1769[2][2], _e1888, (_e1888 > _e1769[2][2])) - _e649) * _e653);
-                                                                let _e1904 = select(_e1902, _e1901, (_e1901 < _e1902));
-                                                                let _e1906 = select(_e1902, _e1901, (_e1901 > _e1902));
-                                                                let _e1908 = select(_e1894, _e1893, (_e1893 < _e1894));
-                                                                let _e1910 = select(_e1898, _e1897, (_e1897 < _e1898));
-                                                                let _e1912 = select(_e1910, _e1908, (_e1908 > _e1910));
-                                                                let _e1914 = select(_e1904, _e1912, (_e1912 > _e1904));
-                                                                let _e1916 = select(_e1894, _e1893, (_e1893 > _e1894));
-                                                                let _e1918 = select(_e1898, _e1897, (_e1897 > _e1898));
-                                                                let _e1920 = select(_e1918, _e1916, (_e1916 < _e1918));
-                                                                let _e1922 = select(_e1906, _e1920, (_e1920 < _e1906));
-                                                                let _e1923 = -(_e1904);
-                                                                let _e1929 = select(_e764, _e1914, (_e1914 > _e764));
-                                                                if (_e1929 > (_e1922 + (select(_e1923, _e1906, (_e1906 > _e1923)) * 0.0000019073523f))) {
+                                                                let _e1409 = select(_e1310[1][0], _e1310[0][0], (_e1310[0][0] < _e1310[1][0]));
+                                                                let _e1413 = select(_e1310[1][0], _e1310[0][0], (_e1310[0][0] > _e1310[1][0]));
+                                                                let _e1417 = select(_e1310[1][1], _e1310[0][1], (_e1310[0][1] < _e1310[1][1]));
+                                                                let _e1421 = select(_e1310[1][1], _e1310[0][1], (_e1310[0][1] > _e1310[1][1]));
+                                                                let _e1425 = select(_e1310[1][2], _e1310[0][2], (_e1310[0][2] < _e1310[1][2]));
+                                                                let _e1429 = select(_e1310[1][2], _e1310[0][2], (_e1310[0][2] > _e1310[1][2]));
+                                                                let _e1434 = ((select(_e1310[2][0], _e1409, (_e1409 < _e1310[2][0])) - _e516) * _e521);
+                                                                let _e1435 = ((select(_e1310[2][0], _e1413, (_e1413 > _e1310[2][0])) - _e517) * _e521);
+                                                                let _e1438 = ((select(_e1310[2][1], _e1417, (_e1417 < _e1310[2][1])) - _e582) * _e587);
+                                                                let _e1439 = ((select(_e1310[2][1], _e1421, (_e1421 > _e1310[2][1])) - _e583) * _e587);
+                                                                let _e1442 = ((select(_e1310[2][2], _e1425, (_e1425 < _e1310[2][2])) - _e648) * _e653);
+                                                                let _e1443 = ((select(_e1310[2][2], _e1429, (_e1429 > _e1310[2][2])) - _e649) * _e653);
+                                                                let _e1445 = select(_e1443, _e1442, (_e1442 < _e1443));
+                                                                let _e1447 = select(_e1443, _e1442, (_e1442 > _e1443));
+                                                                let _e1449 = select(_e1435, _e1434, (_e1434 < _e1435));
+                                                                let _e1451 = select(_e1439, _e1438, (_e1438 < _e1439));
+                                                                let _e1453 = select(_e1451, _e1449, (_e1449 > _e1451));
+                                                                let _e1455 = select(_e1445, _e1453, (_e1453 > _e1445));
+                                                                let _e1457 = select(_e1435, _e1434, (_e1434 > _e1435));
+                                                                let _e1459 = select(_e1439, _e1438, (_e1438 > _e1439));
+                                                                let _e1461 = select(_e1459, _e1457, (_e1457 < _e1459));
+                                                                let _e1463 = select(_e1447, _e1461, (_e1461 < _e1447));
+                                                                let _e1464 = -(_e1445);
+                                                                let _e1470 = select(_e764, _e1455, (_e1455 > _e764));
+                                                                if (_e1470 > (_e1463 + (select(_e1464, _e1447, (_e1447 > _e1464)) * 0.0000019073523f))) {
                                                                     phi_3166_ = type_25();
                                                                     phi_3167_ = true;
                                                                 } else {
-                                                                    let _e1931 = (_e1929 > _e1322.member_1);
-                                                                    if _e1931 {
+                                                                    let _e1472 = (_e1470 > _e863.member_1);
+                                                                    if _e1472 {
                                                                         phi_3165_ = type_25();
                                                                     } else {
-                                                                        let _e1932 = vec3<f32>(_e1769[0][0], _e1769[0][1], _e1769[0][2]);
-                                                                        let _e1933 = vec3<f32>(_e1769[1][0], _e1769[1][1], _e1769[1][2]);
-                                                                        let _e1934 = vec3<f32>(_e1769[2][0], _e1769[2][1], _e1769[2][2]);
-                                                                        let _e1935 = (_e1769[1][0] - _e1769[0][0]);
-                                                                        let _e1936 = (_e1769[1][1] - _e1769[0][1]);
-                                                                        let _e1937 = (_e1769[1][2] - _e1769[0][2]);
-                                                                        let _e1938 = vec3<f32>(_e1935, _e1936, _e1937);
-                                                                        let _e1939 = (_e1769[2][0] - _e1769[1][0]);
-                                                                        let _e1940 = (_e1769[2][1] - _e1769[1][1]);
-                                                                        let _e1941 = (_e1769[2][2] - _e1769[1][2]);
-                                                                        let _e1942 = vec3<f32>(_e1939, _e1940, _e1941);
-                                                                        let _e1943 = (_e1769[0][0] - _e1769[2][0]);
-                                                                        let _e1944 = (_e1769[0][1] - _e1769[2][1]);
-                                                                        let _e1945 = (_e1769[0][2] - _e1769[2][2]);
-                                                                        let _e1946 = vec3<f32>(_e1943, _e1944, _e1945);
-                                                                        let _e1949 = bitcast<f32>((bitcast<u32>(_e1935) & 2147483647u));
-                                                                        let _e1952 = bitcast<f32>((bitcast<u32>(_e1936) & 2147483647u));
-                                                                        let _e1954 = select(_e1952, _e1949, (_e1949 > _e1952));
-                                                                        let _e1957 = bitcast<f32>((bitcast<u32>(_e1937) & 2147483647u));
-                                                                        let _e1959 = select(_e1957, _e1954, (_e1954 > _e1957));
-                                                                        let _e1962 = bitcast<f32>((bitcast<u32>(_e1939) & 2147483647u));
-                                                                        let _e1965 = bitcast<f32>((bitcast<u32>(_e1940) & 2147483647u));
-                                                                        let _e1967 = select(_e1965, _e1962, (_e1962 > _e1965));
-                                                                        let _e1970 = bitcast<f32>((bitcast<u32>(_e1941) & 2147483647u));
-                                                                        let _e1972 = select(_e1970, _e1967, (_e1967 > _e1970));
-                                                                        let _e1975 = bitcast<f32>((bitcast<u32>(_e1943) & 2147483647u));
-                                                                        let _e1978 = bitcast<f32>((bitcast<u32>(_e1944) & 2147483647u));
-                                                                        let _e1980 = select(_e1978, _e1975, (_e1975 > _e1978));
-                                                                        let _e1983 = bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u));
-                                                                        let _e1985 = select(_e1983, _e1980, (_e1980 > _e1983));
-                                                                        let _e1987 = select(_e1972, _e1959, (_e1959 > _e1972));
-                                                                        let _e1989 = select(_e1985, _e1987, (_e1987 > _e1985));
-                                                                        if (_e1959 == _e1989) {
-                                                                            phi_2892_ = _e1796;
-                                                                            phi_2893_ = _e1793;
-                                                                            phi_2894_ = _e1783;
-                                                                            phi_2895_ = _e1780;
-                                                                            phi_2896_ = _e1932;
-                                                                            phi_2897_ = _e1946;
-                                                                            phi_2898_ = _e1942;
-                                                                            phi_2899_ = _e1938;
+                                                                        let _e1473 = vec3<f32>(_e1310[0][0], _e1310[0][1], _e1310[0][2]);
+                                                                        let _e1474 = vec3<f32>(_e1310[1][0], _e1310[1][1], _e1310[1][2]);
+                                                                        let _e1475 = vec3<f32>(_e1310[2][0], _e1310[2][1], _e1310[2][2]);
+                                                                        let _e1476 = (_e1310[1][0] - _e1310[0][0]);
+                                                                        let _e1477 = (_e1310[1][1] - _e1310[0][1]);
+                                                                        let _e1478 = (_e1310[1][2] - _e1310[0][2]);
+                                                                        let _e1479 = vec3<f32>(_e1476, _e1477, _e1478);
+                                                                        let _e1480 = (_e1310[2][0] - _e1310[1][0]);
+                                                                        let _e1481 = (_e1310[2][1] - _e1310[1][1]);
+                                                                        let _e1482 = (_e1310[2][2] - _e1310[1][2]);
+                                                                        let _e1483 = vec3<f32>(_e1480, _e1481, _e1482);
+                                                                        let _e1484 = (_e1310[0][0] - _e1310[2][0]);
+                                                                        let _e1485 = (_e1310[0][1] - _e1310[2][1]);
+                                                                        let _e1486 = (_e1310[0][2] - _e1310[2][2]);
+                                                                        let _e1487 = vec3<f32>(_e1484, _e1485, _e1486);
+                                                                        let _e1490 = bitcast<f32>((bitcast<u32>(_e1476) & 2147483647u));
+                                                                        let _e1493 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
+                                                                        let _e1495 = select(_e1493, _e1490, (_e1490 > _e1493));
+                                                                        let _e1498 = bitcast<f32>((bitcast<u32>(_e1478) & 2147483647u));
+                                                                        let _e1500 = select(_e1498, _e1495, (_e1495 > _e1498));
+                                                                        let _e1503 = bitcast<f32>((bitcast<u32>(_e1480) & 2147483647u));
+                                                                        let _e1506 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
+                                                                        let _e1508 = select(_e1506, _e1503, (_e1503 > _e1506));
+                                                                        let _e1511 = bitcast<f32>((bitcast<u32>(_e1482) & 2147483647u));
+                                                                        let _e1513 = select(_e1511, _e1508, (_e1508 > _e1511));
+                                                                        let _e1516 = bitcast<f32>((bitcast<u32>(_e1484) & 2147483647u));
+                                                                        let _e1519 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
+                                                                        let _e1521 = select(_e1519, _e1516, (_e1516 > _e1519));
+                                                                        let _e1524 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
+                                                                        let _e1526 = select(_e1524, _e1521, (_e1521 > _e1524));
+                                                                        let _e1528 = select(_e1513, _e1500, (_e1500 > _e1513));
+                                                                        let _e1530 = select(_e1526, _e1528, (_e1528 > _e1526));
+                                                                        if (_e1500 == _e1530) {
+                                                                            phi_2892_ = _e1337;
+                                                                            phi_2893_ = _e1334;
+                                                                            phi_2894_ = _e1324;
+                                                                            phi_2895_ = _e1321;
+                                                                            phi_2896_ = _e1473;
+                                                                            phi_2897_ = _e1487;
+                                                                            phi_2898_ = _e1483;
+                                                                            phi_2899_ = _e1479;
                                                                         } else {
-                                                                            let _e1991 = (_e1972 == _e1989);
-                                                                            let _e1996 = vec3(_e1991);
-                                                                            phi_2892_ = select(_e1783, _e1809, _e1991);
-                                                                            phi_2893_ = select(_e1780, _e1806, _e1991);
-                                                                            phi_2894_ = select(_e1809, _e1796, _e1991);
-                                                                            phi_2895_ = select(_e1806, _e1793, _e1991);
-                                                                            phi_2896_ = select(_e1934, _e1933, _e1996);
-                                                                            phi_2897_ = select(_e1942, _e1938, _e1996);
-                                                                            phi_2898_ = select(_e1938, _e1946, _e1996);
-                                                                            phi_2899_ = select(_e1946, _e1942, _e1996);
+                                                                            let _e1532 = (_e1513 == _e1530);
+                                                                            let _e1537 = vec3(_e1532);
+                                                                            phi_2892_ = select(_e1324, _e1350, _e1532);
+                                                                            phi_2893_ = select(_e1321, _e1347, _e1532);
+                                                                            phi_2894_ = select(_e1350, _e1337, _e1532);
+                                                                            phi_2895_ = select(_e1347, _e1334, _e1532);
+                                                                            phi_2896_ = select(_e1475, _e1474, _e1537);
+                                                                            phi_2897_ = select(_e1483, _e1479, _e1537);
+                                                                            phi_2898_ = select(_e1479, _e1487, _e1537);
+                                                                            phi_2899_ = select(_e1487, _e1483, _e1537);
                                                                         }
-                                                                        let _e2002 = phi_2892_;
-                                                                        let _e2004 = phi_2893_;
-                                                                        let _e2006 = phi_2894_;
-                                                                        let _e2008 = phi_2895_;
-                                                                        let _e2010 = phi_2896_;
-                                                                        let _e2012 = phi_2897_;
-                                                                        let _e2014 = phi_2898_;
-                                                                        let _e2016 = phi_2899_;
-                                                                        let _e2023 = ((_e2014.y * _e2012.z) - (_e2012.y * _e2014.z));
-                                                                        let _e2028 = ((_e2014.z * _e2012.x) - (_e2012.z * _e2014.x));
-                                                                        let _e2031 = ((_e2014.x * _e2012.y) - (_e2012.x * _e2014.y));
-                                                                        if (_e1831 >= _e1835) {
-                                                                            phi_2936_ = select(true, false, (_e1831 >= _e1839));
+                                                                        let _e1543 = phi_2892_;
+                                                                        let _e1545 = phi_2893_;
+                                                                        let _e1547 = phi_2894_;
+                                                                        let _e1549 = phi_2895_;
+                                                                        let _e1551 = phi_2896_;
+                                                                        let _e1553 = phi_2897_;
+                                                                        let _e1555 = phi_2898_;
+                                                                        let _e1557 = phi_2899_;
+                                                                        let _e1564 = ((_e1555.y * _e1553.z) - (_e1553.y * _e1555.z));
+                                                                        let _e1569 = ((_e1555.z * _e1553.x) - (_e1553.z * _e1555.x));
+                                                                        let _e1572 = ((_e1555.x * _e1553.y) - (_e1553.x * _e1555.y));
+                                                                        if (_e1372 >= _e1376) {
+                                                                            phi_2936_ = select(true, false, (_e1372 >= _e1380));
                                                                         } else {
                                                                             phi_2936_ = true;
                                                                         }
-                                                                        let _e2036 = phi_2936_;
-                                                                        if _e2036 {
-                                                                            phi_2945_ = select(_e1934, _e1933, vec3((_e1835 >= _e1839)));
+                                                                        let _e1577 = phi_2936_;
+                                                                        if _e1577 {
+                                                                            phi_2945_ = select(_e1475, _e1474, vec3((_e1376 >= _e1380)));
                                                                         } else {
-                                                                            phi_2945_ = _e1932;
+                                                                            phi_2945_ = _e1473;
                                                                         }
-                                                                        let _e2041 = phi_2945_;
-                                                                        let _e2052 = (((_e2023 * (_e2041.x - _e478)) + (_e2028 * (_e2041.y - _e545))) + (_e2031 * (_e2041.z - _e611)));
-                                                                        let _e2057 = (((_e2023 * _e518) + (_e2028 * _e584)) + (_e2031 * _e650));
-                                                                        let _e2058 = (_e2004 - _e2008);
-                                                                        let _e2059 = (_e2002 - _e2006);
-                                                                        let _e2067 = (-(((_e2008 * _e2058) + (_e2006 * _e2059))) / ((_e2058 * _e2058) + (_e2059 * _e2059)));
-                                                                        let _e2069 = select(1f, _e2067, (_e2067 < 1f));
-                                                                        let _e2071 = select(0f, _e2069, (_e2069 > 0f));
-                                                                        let _e2084 = ((_e2010.x + (_e2016.x * _e2071)) - _e478);
-                                                                        let _e2085 = ((_e2010.y + (_e2016.y * _e2071)) - _e545);
-                                                                        let _e2086 = ((_e2010.z + (_e2016.z * _e2071)) - _e611);
-                                                                        let _e2087 = (_e2086 / _e650);
-                                                                        let _e2099 = bitcast<f32>((bitcast<u32>(_e2084) & 2147483647u));
-                                                                        let _e2102 = bitcast<f32>((bitcast<u32>(_e2085) & 2147483647u));
-                                                                        let _e2104 = select(_e2102, _e2099, (_e2099 > _e2102));
-                                                                        let _e2107 = bitcast<f32>((bitcast<u32>(_e2086) & 2147483647u));
-                                                                        let _e2109 = select(_e2107, _e2104, (_e2104 > _e2107));
-                                                                        let _e2115 = bitcast<f32>((bitcast<u32>(_e2023) & 2147483647u));
-                                                                        let _e2118 = bitcast<f32>((bitcast<u32>(_e2028) & 2147483647u));
-                                                                        let _e2120 = select(_e2118, _e2115, (_e2115 > _e2118));
-                                                                        let _e2123 = bitcast<f32>((bitcast<u32>(_e2031) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e2023 * _e2084) + (_e2028 * _e2085)) + (_e2031 * _e2086)) - _e2052)) & 2147483647u)) <= ((0.0000009536743f * select(_e1989, _e2109, (_e2109 > _e1989))) * select(_e2123, _e2120, (_e2120 > _e2123)))) {
-                                                                            let _e2133 = bitcast<f32>((bitcast<u32>(_e2014.x) & 2147483647u));
-                                                                            let _e2136 = bitcast<f32>((bitcast<u32>(_e2014.y) & 2147483647u));
-                                                                            let _e2138 = select(_e2136, _e2133, (_e2133 > _e2136));
-                                                                            let _e2141 = bitcast<f32>((bitcast<u32>(_e2014.z) & 2147483647u));
-                                                                            let _e2147 = bitcast<f32>((bitcast<u32>(_e2012.x) & 2147483647u));
-                                                                            let _e2150 = bitcast<f32>((bitcast<u32>(_e2012.y) & 2147483647u));
-                                                                            let _e2152 = select(_e2150, _e2147, (_e2147 > _e2150));
-                                                                            let _e2155 = bitcast<f32>((bitcast<u32>(_e2012.z) & 2147483647u));
-                                                                            let _e2159 = (bitcast<f32>((bitcast<u32>(_e2057) & 2147483647u)) > ((0.0000038146973f * select(_e2141, _e2138, (_e2138 > _e2141))) * select(_e2155, _e2152, (_e2152 > _e2155))));
-                                                                            if _e2159 {
-                                                                                phi_3110_ = (_e2052 / _e2057);
+                                                                        let _e1582 = phi_2945_;
+                                                                        let _e1593 = (((_e1564 * (_e1582.x - _e478)) + (_e1569 * (_e1582.y - _e545))) + (_e1572 * (_e1582.z - _e611)));
+                                                                        let _e1598 = (((_e1564 * _e518) + (_e1569 * _e584)) + (_e1572 * _e650));
+                                                                        let _e1599 = (_e1545 - _e1549);
+                                                                        let _e1600 = (_e1543 - _e1547);
+                                                                        let _e1608 = (-(((_e1549 * _e1599) + (_e1547 * _e1600))) / ((_e1599 * _e1599) + (_e1600 * _e1600)));
+                                                                        let _e1610 = select(1f, _e1608, (_e1608 < 1f));
+                                                                        let _e1612 = select(0f, _e1610, (_e1610 > 0f));
+                                                                        let _e1625 = ((_e1551.x + (_e1557.x * _e1612)) - _e478);
+                                                                        let _e1626 = ((_e1551.y + (_e1557.y * _e1612)) - _e545);
+                                                                        let _e1627 = ((_e1551.z + (_e1557.z * _e1612)) - _e611);
+                                                                        let _e1628 = (_e1627 / _e650);
+                                                                        let _e1640 = bitcast<f32>((bitcast<u32>(_e1625) & 2147483647u));
+                                                                        let _e1643 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
+                                                                        let _e1645 = select(_e1643, _e1640, (_e1640 > _e1643));
+                                                                        let _e1648 = bitcast<f32>((bitcast<u32>(_e1627) & 2147483647u));
+                                                                        let _e1650 = select(_e1648, _e1645, (_e1645 > _e1648));
+                                                                        let _e1656 = bitcast<f32>((bitcast<u32>(_e1564) & 2147483647u));
+                                                                        let _e1659 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
+                                                                        let _e1661 = select(_e1659, _e1656, (_e1656 > _e1659));
+                                                                        let _e1664 = bitcast<f32>((bitcast<u32>(_e1572) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1564 * _e1625) + (_e1569 * _e1626)) + (_e1572 * _e1627)) - _e1593)) & 2147483647u)) <= ((0.0000009536743f * select(_e1530, _e1650, (_e1650 > _e1530))) * select(_e1664, _e1661, (_e1661 > _e1664)))) {
+                                                                            let _e1674 = bitcast<f32>((bitcast<u32>(_e1555.x) & 2147483647u));
+                                                                            let _e1677 = bitcast<f32>((bitcast<u32>(_e1555.y) & 2147483647u));
+                                                                            let _e1679 = select(_e1677, _e1674, (_e1674 > _e1677));
+                                                                            let _e1682 = bitcast<f32>((bitcast<u32>(_e1555.z) & 2147483647u));
+                                                                            let _e1688 = bitcast<f32>((bitcast<u32>(_e1553.x) & 2147483647u));
+                                                                            let _e1691 = bitcast<f32>((bitcast<u32>(_e1553.y) & 2147483647u));
+                                                                            let _e1693 = select(_e1691, _e1688, (_e1688 > _e1691));
+                                                                            let _e1696 = bitcast<f32>((bitcast<u32>(_e1553.z) & 2147483647u));
+                                                                            let _e1700 = (bitcast<f32>((bitcast<u32>(_e1598) & 2147483647u)) > ((0.0000038146973f * select(_e1682, _e1679, (_e1679 > _e1682))) * select(_e1696, _e1693, (_e1693 > _e1696))));
+                                                                            if _e1700 {
+                                                                                phi_3110_ = (_e1593 / _e1598);
                                                                             } else {
                                                                                 phi_3110_ = f32();
                                                                             }
-                                                                            let _e2162 = phi_3110_;
-                                                                            phi_3112_ = _e2162;
-                                                                            phi_3113_ = select(true, false, _e2159);
+                                                                            let _e1703 = phi_3110_;
+                                                                            phi_3112_ = _e1703;
+                                                                            phi_3113_ = select(true, false, _e1700);
                                                                         } else {
                                                                             phi_3112_ = f32();
                                                                             phi_3113_ = true;
                                                                         }
-                                                                        let _e2165 = phi_3112_;
-                                                                        let _e2167 = phi_3113_;
-                                                                        if _e2167 {
-                                                                            let _e2175 = (((_e2023 * (_e2084 - (_e518 * _e2087))) + (_e2028 * (_e2085 - (_e584 * _e2087)))) / _e2057);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e2175) & 2147483647u)) <= _e1989) {
-                                                                                phi_3133_ = (_e2087 + _e2175);
+                                                                        let _e1706 = phi_3112_;
+                                                                        let _e1708 = phi_3113_;
+                                                                        if _e1708 {
+                                                                            let _e1716 = (((_e1564 * (_e1625 - (_e518 * _e1628))) + (_e1569 * (_e1626 - (_e584 * _e1628)))) / _e1598);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1716) & 2147483647u)) <= _e1530) {
+                                                                                phi_3133_ = (_e1628 + _e1716);
                                                                             } else {
-                                                                                phi_3133_ = _e2087;
+                                                                                phi_3133_ = _e1628;
                                                                             }
-                                                                            let _e2182 = phi_3133_;
-                                                                            phi_3134_ = _e2182;
+                                                                            let _e1723 = phi_3133_;
+                                                                            phi_3134_ = _e1723;
                                                                         } else {
-                                                                            phi_3134_ = _e2165;
+                                                                            phi_3134_ = _e1706;
                                                                         }
-                                                                        let _e2184 = phi_3134_;
-                                                                        let _e2186 = select(_e1922, _e2184, (_e2184 < _e1922));
-                                                                        let _e2188 = select(_e1914, _e2186, (_e2186 > _e1914));
-                                                                        if (_e2188 >= _e764) {
-                                                                            let _e2190 = (_e2188 <= _e1322.member_1);
-                                                                            if _e2190 {
-                                                                                let _e2191 = (1f / _e1841);
-                                                                                phi_3157_ = type_25(_e2188, (_e1835 * _e2191), (_e1839 * _e2191), _e1382);
+                                                                        let _e1725 = phi_3134_;
+                                                                        let _e1727 = select(_e1463, _e1725, (_e1725 < _e1463));
+                                                                        let _e1729 = select(_e1455, _e1727, (_e1727 > _e1455));
+                                                                        if (_e1729 >= _e764) {
+                                                                            let _e1731 = (_e1729 <= _e863.member_1);
+                                                                            if _e1731 {
+                                                                                let _e1732 = (1f / _e1382);
+                                                                                phi_3157_ = type_25(_e1729, (_e1376 * _e1732), (_e1380 * _e1732), _e923);
                                                                             } else {
                                                                                 phi_3157_ = type_25();
                                                                             }
-                                                                            let _e2196 = phi_3157_;
-                                                                            phi_3159_ = _e2196;
-                                                                            phi_3160_ = select(true, false, _e2190);
+                                                                            let _e1737 = phi_3157_;
+                                                                            phi_3159_ = _e1737;
+                                                                            phi_3160_ = select(true, false, _e1731);
                                                                         } else {
                                                                             phi_3159_ = type_25();
                                                                             phi_3160_ = true;
                                                                         }
-                                                                        let _e2199 = phi_3159_;
-                                                                        let _e2201 = phi_3160_;
-                                                                        if _e2201 {
+                                                                        let _e1740 = phi_3159_;
+                                                                        let _e1742 = phi_3160_;
+                                                                        if _e1742 {
                                                                             phi_3164_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_3164_ = _e2199;
+                                                                            phi_3164_ = _e1740;
                                                                         }
-                                                                        let _e2203 = phi_3164_;
-                                                                        phi_3165_ = _e2203;
+                                                                        let _e1744 = phi_3164_;
+                                                                        phi_3165_ = _e1744;
                                                                     }
-                                                                    let _e2205 = phi_3165_;
-                                                                    phi_3166_ = _e2205;
-                                                                    phi_3167_ = _e1931;
+                                                                    let _e1746 = phi_3165_;
+                                                                    phi_3166_ = _e1746;
+                                                                    phi_3167_ = _e1472;
                                                                 }
-                                                                let _e2207 = phi_3166_;
-                                                                let _e2209 = phi_3167_;
-                                                                phi_3171_ = _e2207;
-                                                                phi_3172_ = _e2209;
+                                                                let _e1748 = phi_3166_;
+                                                                let _e1750 = phi_3167_;
+                                                                phi_3171_ = _e1748;
+                                                                phi_3172_ = _e1750;
                                                             }
-                                                            let _e2211 = phi_3171_;
-                                                            let _e2213 = phi_3172_;
-                                                            phi_3173_ = _e2211;
-                                                            phi_3174_ = _e1866;
-                                                            phi_3175_ = _e2213;
+                                                            let _e1752 = phi_3171_;
+                                                            let _e1754 = phi_3172_;
+                                                            phi_3173_ = _e1752;
+                                                            phi_3174_ = _e1407;
+                                                            phi_3175_ = _e1754;
                                                         }
-                                                        let _e2215 = phi_3173_;
-                                                        let _e2217 = phi_3174_;
-                                                        let _e2219 = phi_3175_;
-                                                        phi_3176_ = _e2215;
-                                                        phi_3177_ = _e2217;
-                                                        phi_3178_ = _e2219;
+                                                        let _e1756 = phi_3173_;
+                                                        let _e1758 = phi_3174_;
+                                                        let _e1760 = phi_3175_;
+                                                        phi_3176_ = _e1756;
+                                                        phi_3177_ = _e1758;
+                                                        phi_3178_ = _e1760;
                                                     }
-                                                    let _e2221 = phi_3176_;
-                                                    let _e2223 = phi_3177_;
-                                                    let _e2225 = phi_3178_;
-                                                    phi_3186_ = _e2221;
-                                                    phi_3187_ = select(_e2225, true, _e2223);
+                                                    let _e1762 = phi_3176_;
+                                                    let _e1764 = phi_3177_;
+                                                    let _e1766 = phi_3178_;
+                                                    phi_3186_ = _e1762;
+                                                    phi_3187_ = select(_e1766, true, _e1764);
                                                 } else {
                                                     phi_3186_ = type_25();
                                                     phi_3187_ = true;
                                                 }
-                                                let _e2228 = phi_3186_;
-                                                let _e2230 = phi_3187_;
-                                                if _e2230 {
+                                                let _e1769 = phi_3186_;
+                                                let _e1771 = phi_3187_;
+                                                if _e1771 {
                                                     phi_3191_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_3191_ = _e2228;
+                                                    phi_3191_ = _e1769;
                                                 }
-                                                let _e2232 = phi_3191_;
-                                                if (_e2232.member_3 != 4294967295u) {
-                                                    if (_e1382 == _e177) {
+                                                let _e1773 = phi_3191_;
+                                                if (_e1773.member_3 != 4294967295u) {
+                                                    if (_e923 == _e177) {
                                                         phi_3526_ = false;
                                                     } else {
-                                                        let _e2236 = (_e1382 < arrayLength((&global_5.member)));
-                                                        if _e2236 {
-                                                            if _e2236 {
+                                                        let _e1777 = (_e923 < arrayLength((&global_5.member)));
+                                                        if _e1777 {
+                                                            if _e1777 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e2238 = global_5.member[_e1382];
-                                                            phi_3214_ = _e2238;
+                                                            let _e1779 = global_5.member[_e923];
+                                                            phi_3214_ = _e1779;
                                                         } else {
                                                             phi_3214_ = 4294967295u;
                                                         }
-                                                        let _e2240 = phi_3214_;
-                                                        let _e2241 = (_e2240 < arrayLength((&global_6.member)));
-                                                        if _e2241 {
-                                                            if _e2241 {
+                                                        let _e1781 = phi_3214_;
+                                                        let _e1782 = (_e1781 < arrayLength((&global_6.member)));
+                                                        if _e1782 {
+                                                            if _e1782 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e2243 = global_6.member[_e2240];
-                                                            phi_3228_ = _e2243;
+                                                            let _e1784 = global_6.member[_e1781];
+                                                            phi_3228_ = _e1784;
                                                         } else {
                                                             phi_3228_ = 0i;
                                                         }
-                                                        let _e2245 = phi_3228_;
-                                                        let _e2246 = (_e2245 == 0i);
-                                                        if _e2246 {
+                                                        let _e1786 = phi_3228_;
+                                                        let _e1787 = (_e1786 == 0i);
+                                                        if _e1787 {
                                                             phi_3525_ = true;
                                                         } else {
                                                             if _e455 {
-                                                                phi_3251_ = vec3<f32>(_e1769[0][0], _e1769[0][1], _e1769[0][2]);
+                                                                phi_3251_ = vec3<f32>(_e1310[0][0], _e1310[0][1], _e1310[0][2]);
                                                             } else {
                                                                 if (_e431 == 1u) {
-                                                                    phi_3250_ = vec3<f32>(_e1769[0][2], _e1769[0][0], _e1769[0][1]);
+                                                                    phi_3250_ = vec3<f32>(_e1310[0][2], _e1310[0][0], _e1310[0][1]);
                                                                 } else {
-                                                                    phi_3250_ = vec3<f32>(_e1769[0][1], _e1769[0][2], _e1769[0][0]);
+                                                                    phi_3250_ = vec3<f32>(_e1310[0][1], _e1310[0][2], _e1310[0][0]);
                                                                 }
-                                                                let _e2251 = phi_3250_;
-                                                                phi_3251_ = _e2251;
+                                                                let _e1792 = phi_3250_;
+                                                                phi_3251_ = _e1792;
                                                             }
-                                                            let _e2254 = phi_3251_;
+                                                            let _e1795 = phi_3251_;
                                                             if _e455 {
-                                                                phi_3270_ = vec3<f32>(_e1769[1][0], _e1769[1][1], _e1769[1][2]);
+                                                                phi_3270_ = vec3<f32>(_e1310[1][0], _e1310[1][1], _e1310[1][2]);
                                                             } else {
                                                                 if (_e431 == 1u) {
-                                                                    phi_3269_ = vec3<f32>(_e1769[1][2], _e1769[1][0], _e1769[1][1]);
+                                                                    phi_3269_ = vec3<f32>(_e1310[1][2], _e1310[1][0], _e1310[1][1]);
                                                                 } else {
-                                                                    phi_3269_ = vec3<f32>(_e1769[1][1], _e1769[1][2], _e1769[1][0]);
+                                                                    phi_3269_ = vec3<f32>(_e1310[1][1], _e1310[1][2], _e1310[1][0]);
                                                                 }
-                                                                let _e2259 = phi_3269_;
-                                                                phi_3270_ = _e2259;
+                                                                let _e1800 = phi_3269_;
+                                                                phi_3270_ = _e1800;
                                                             }
-                                                            let _e2262 = phi_3270_;
+                                                            let _e1803 = phi_3270_;
                                                             if _e455 {
-                                                                phi_3289_ = vec3<f32>(_e1769[2][0], _e1769[2][1], _e1769[2][2]);
+                                                                phi_3289_ = vec3<f32>(_e1310[2][0], _e1310[2][1], _e1310[2][2]);
                                                             } else {
                                                                 if (_e431 == 1u) {
-                                                                    phi_3288_ = vec3<f32>(_e1769[2][2], _e1769[2][0], _e1769[2][1]);
+                                                                    phi_3288_ = vec3<f32>(_e1310[2][2], _e1310[2][0], _e1310[2][1]);
                                                                 } else {
-                                                                    phi_3288_ = vec3<f32>(_e1769[2][1], _e1769[2][2], _e1769[2][0]);
+                                                                    phi_3288_ = vec3<f32>(_e1310[2][1], _e1310[2][2], _e1310[2][0]);
                                                                 }
-                                                                let _e2267 = phi_3288_;
-                                                                phi_3289_ = _e2267;
+                                                                let _e1808 = phi_3288_;
+                                                                phi_3289_ = _e1808;
                                                             }
-                                                            let _e2270 = phi_3289_;
-                                                            let _e2273 = (_e2262.x - _e2254.x);
-                                                            let _e2276 = (_e2262.y - _e2254.y);
-                                                            let _e2279 = (_e2262.z - _e2254.z);
-                                                            let _e2281 = (_e2270.x - _e2254.x);
-                                                            let _e2283 = (_e2270.y - _e2254.y);
-                                                            let _e2285 = (_e2270.z - _e2254.z);
+                                                            let _e1811 = phi_3289_;
+                                                            let _e1814 = (_e1803.x - _e1795.x);
+                                                            let _e1817 = (_e1803.y - _e1795.y);
+                                                            let _e1820 = (_e1803.z - _e1795.z);
+                                                            let _e1822 = (_e1811.x - _e1795.x);
+                                                            let _e1824 = (_e1811.y - _e1795.y);
+                                                            let _e1826 = (_e1811.z - _e1795.z);
                                                             if (_e309.member_1 == 1u) {
-                                                                phi_3325_ = (vec3<f32>(_e309.member[0], _e309.member[1], _e309.member[2]) - _e2254);
+                                                                phi_3325_ = (vec3<f32>(_e309.member[0], _e309.member[1], _e309.member[2]) - _e1795);
                                                             } else {
                                                                 phi_3325_ = vec3<f32>(_e309.member[0], _e309.member[1], _e309.member[2]);
                                                             }
-                                                            let _e2300 = phi_3325_;
-                                                            let _e2306 = bitcast<f32>((bitcast<u32>((_e2273 * _e2283)) ^ _e309.member_3[0]));
-                                                            let _e2310 = bitcast<f32>((bitcast<u32>((_e2276 * _e2281)) ^ _e309.member_3[0]));
-                                                            let _e2314 = bitcast<f32>((bitcast<u32>((_e2276 * _e2285)) ^ _e309.member_3[0]));
-                                                            let _e2318 = bitcast<f32>((bitcast<u32>((_e2279 * _e2283)) ^ _e309.member_3[0]));
-                                                            let _e2322 = bitcast<f32>((bitcast<u32>((_e2279 * _e2281)) ^ _e309.member_3[0]));
-                                                            let _e2326 = bitcast<f32>((bitcast<u32>((_e2273 * _e2285)) ^ _e309.member_3[0]));
-                                                            let _e2327 = (_e2314 - _e2318);
-                                                            let _e2328 = (_e2322 - _e2326);
-                                                            let _e2329 = (_e2306 - _e2310);
-                                                            let _e2353 = (bitcast<f32>((bitcast<u32>(_e2314) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2318) & 2147483647u)));
-                                                            let _e2360 = (bitcast<f32>((bitcast<u32>(_e2322) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2326) & 2147483647u)));
-                                                            let _e2367 = (bitcast<f32>((bitcast<u32>(_e2306) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2310) & 2147483647u)));
+                                                            let _e1841 = phi_3325_;
+                                                            let _e1847 = bitcast<f32>((bitcast<u32>((_e1814 * _e1824)) ^ _e309.member_3[0]));
+                                                            let _e1851 = bitcast<f32>((bitcast<u32>((_e1817 * _e1822)) ^ _e309.member_3[0]));
+                                                            let _e1855 = bitcast<f32>((bitcast<u32>((_e1817 * _e1826)) ^ _e309.member_3[0]));
+                                                            let _e1859 = bitcast<f32>((bitcast<u32>((_e1820 * _e1824)) ^ _e309.member_3[0]));
+                                                            let _e1863 = bitcast<f32>((bitcast<u32>((_e1820 * _e1822)) ^ _e309.member_3[0]));
+                                                            let _e1867 = bitcast<f32>((bitcast<u32>((_e1814 * _e1826)) ^ _e309.member_3[0]));
+                                                            let _e1868 = (_e1855 - _e1859);
+                                                            let _e1869 = (_e1863 - _e1867);
+                                                            let _e1870 = (_e1847 - _e1851);
+                                                            let _e1894 = (bitcast<f32>((bitcast<u32>(_e1855) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1859) & 2147483647u)));
+                                                            let _e1901 = (bitcast<f32>((bitcast<u32>(_e1863) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1867) & 2147483647u)));
+                                                            let _e1908 = (bitcast<f32>((bitcast<u32>(_e1847) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1851) & 2147483647u)));
                                                             if (_e309.member_2 == 0f) {
                                                                 phi_3507_ = 0f;
                                                             } else {
-                                                                let _e2397 = bitcast<f32>((bitcast<u32>(_e2327) & 2147483647u));
-                                                                let _e2400 = bitcast<f32>((bitcast<u32>(_e2328) & 2147483647u));
-                                                                let _e2403 = bitcast<f32>((bitcast<u32>(_e2329) & 2147483647u));
-                                                                let _e2405 = select(_e2403, _e2400, (_e2400 > _e2403));
-                                                                let _e2409 = select(_e2403, _e2400, (_e2400 < _e2403));
-                                                                let _e2413 = select(_e2400, _e2397, (_e2397 < _e2400));
-                                                                let _e2415 = select(_e2400, _e2397, (_e2397 > _e2400));
-                                                                let _e2417 = select(_e2403, _e2415, (_e2415 < _e2403));
-                                                                phi_3507_ = bitcast<f32>((bitcast<u32>((_e309.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2405, _e2397, (_e2397 > _e2405)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2417, _e2413, (_e2413 > _e2417)))) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2409, _e2397, (_e2397 < _e2409)))) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2353 + _e2360) + _e2367))) ^ _e309.member_3[0]))) * 1.0000005f)) ^ _e309.member_3[0])))) ^ _e309.member_3[0]));
+                                                                let _e1938 = bitcast<f32>((bitcast<u32>(_e1868) & 2147483647u));
+                                                                let _e1941 = bitcast<f32>((bitcast<u32>(_e1869) & 2147483647u));
+                                                                let _e1944 = bitcast<f32>((bitcast<u32>(_e1870) & 2147483647u));
+                                                                let _e1946 = select(_e1944, _e1941, (_e1941 > _e1944));
+                                                                let _e1950 = select(_e1944, _e1941, (_e1941 < _e1944));
+                                                                let _e1954 = select(_e1941, _e1938, (_e1938 < _e1941));
+                                                                let _e1956 = select(_e1941, _e1938, (_e1938 > _e1941));
+                                                                let _e1958 = select(_e1944, _e1956, (_e1956 < _e1944));
+                                                                phi_3507_ = bitcast<f32>((bitcast<u32>((_e309.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1946, _e1938, (_e1938 > _e1946)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1958, _e1954, (_e1954 > _e1958)))) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1950, _e1938, (_e1938 < _e1950)))) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1894 + _e1901) + _e1908))) ^ _e309.member_3[0]))) * 1.0000005f)) ^ _e309.member_3[0])))) ^ _e309.member_3[0]));
                                                             }
-                                                            let _e2444 = phi_3507_;
-                                                            phi_3525_ = (_e2246 || !(((((bitcast<f32>((bitcast<u32>((_e2300.x * _e2327)) ^ _e309.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2300.y * _e2328)) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2300.z * _e2329)) ^ _e309.member_3[0]))) * f32(-(_e2245))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.x) & 2147483647u)) * _e2353)) ^ _e309.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.y) & 2147483647u)) * _e2360)) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.z) & 2147483647u)) * _e2367)) ^ _e309.member_3[0]))))) ^ _e309.member_3[0])) + _e2444) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1985 = phi_3507_;
+                                                            phi_3525_ = (_e1787 || !(((((bitcast<f32>((bitcast<u32>((_e1841.x * _e1868)) ^ _e309.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1841.y * _e1869)) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1841.z * _e1870)) ^ _e309.member_3[0]))) * f32(-(_e1786))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1841.x) & 2147483647u)) * _e1894)) ^ _e309.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1841.y) & 2147483647u)) * _e1901)) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1841.z) & 2147483647u)) * _e1908)) ^ _e309.member_3[0]))))) ^ _e309.member_3[0])) + _e1985) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2458 = phi_3525_;
-                                                        phi_3526_ = _e2458;
+                                                        let _e1999 = phi_3525_;
+                                                        phi_3526_ = _e1999;
                                                     }
-                                                    let _e2460 = phi_3526_;
-                                                    if _e2460 {
-                                                        if (_e2232.member < _e1322.member.member) {
+                                                    let _e2001 = phi_3526_;
+                                                    if _e2001 {
+                                                        if (_e1773.member < _e863.member.member) {
                                                             phi_3546_ = true;
                                                         } else {
-                                                            if (_e2232.member == _e1322.member.member) {
-                                                                phi_3545_ = (_e2232.member_3 < _e1322.member.member_3);
+                                                            if (_e1773.member == _e863.member.member) {
+                                                                phi_3545_ = (_e1773.member_3 < _e863.member.member_3);
                                                             } else {
                                                                 phi_3545_ = false;
                                                             }
-                                                            let _e2470 = phi_3545_;
-                                                            phi_3546_ = _e2470;
+                                                            let _e2011 = phi_3545_;
+                                                            phi_3546_ = _e2011;
                                                         }
-                                                        let _e2472 = phi_3546_;
-                                                        if _e2472 {
-                                                            phi_3552_ = type_43(_e2232, _e2232.member);
+                                                        let _e2013 = phi_3546_;
+                                                        if _e2013 {
+                                                            phi_3552_ = type_43(_e1773, _e1773.member);
                                                         } else {
-                                                            phi_3552_ = _e1322;
+                                                            phi_3552_ = _e863;
                                                         }
-                                                        let _e2475 = phi_3552_;
-                                                        phi_3553_ = _e2475;
+                                                        let _e2016 = phi_3552_;
+                                                        phi_3553_ = _e2016;
                                                     } else {
-                                                        phi_3553_ = _e1322;
+                                                        phi_3553_ = _e863;
                                                     }
-                                                    let _e2477 = phi_3553_;
-                                                    phi_3554_ = _e2477;
+                                                    let _e2018 = phi_3553_;
+                                                    phi_3554_ = _e2018;
                                                 } else {
-                                                    phi_3554_ = _e1322;
+                                                    phi_3554_ = _e863;
                                                 }
-                                                let _e2479 = phi_3554_;
-                                                phi_1529_ = _e2479;
+                                                let _e2020 = phi_3554_;
+                                                phi_1529_ = _e2020;
                                             } else {
                                                 phi_1529_ = type_43();
                                             }
-                                            let _e2481 = phi_1529_;
+                                            let _e2022 = phi_1529_;
                                             continue;
                                             continuing {
-                                                phi_1528_ = _e2481;
-                                                phi_1531_ = _e1337;
-                                                phi_5270_ = _e806;
-                                                break if !(_e1343);
+                                                phi_1528_ = _e2022;
+                                                phi_1531_ = _e878;
+                                                phi_5274_ = _e806;
+                                                break if !(_e884);
                                             }
                                         }
-                                        let _e2484 = phi_5270_;
-                                        phi_5509_ = _e2484;
-                                        if _e2484 {
+                                        let _e2025 = phi_5274_;
+                                        phi_5513_ = _e2025;
+                                        if _e2025 {
                                             break;
                                         }
-                                        phi_5513_ = _e2484;
-                                        let _e2851 = local_11;
-                                        phi_4825_ = _e2851;
-                                        phi_4826_ = false;
-                                        phi_4827_ = _e849;
-                                        phi_4828_ = _e851;
+                                        phi_5604_ = _e2025;
+                                        let _e2834 = local_11;
+                                        phi_3555_ = _e2834;
+                                    } else {
+                                        phi_5604_ = _e806;
+                                        phi_3555_ = _e808;
+                                    }
+                                    let _e2027 = phi_5604_;
+                                    let _e2029 = phi_3555_;
+                                    if _e855 {
+                                        phi_4820_ = bool();
+                                        phi_4821_ = u32();
+                                        phi_4822_ = type_57();
                                     } else {
                                         if (_e851.member_1 >= _e109) {
-                                            phi_4360_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_4356_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e851.member_1 < _e109) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e864 = ((1u + _e431) % 4u);
-                                            if (_e864 < 4u) {
+                                            let _e2033 = ((1u + _e431) % 4u);
+                                            if (_e2033 < 4u) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e869 = global_4.member[_e851.member_1][_e864];
-                                            let _e871 = (_e869 >> bitcast<u32>(11u));
-                                            let _e873 = ((1u + _e430) % 4u);
-                                            if (_e873 < 4u) {
+                                            let _e2038 = global_4.member[_e851.member_1][_e2033];
+                                            let _e2040 = (_e2038 >> bitcast<u32>(11u));
+                                            let _e2042 = ((1u + _e430) % 4u);
+                                            if (_e2042 < 4u) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e878 = global_4.member[_e851.member_1][_e873];
-                                            let _e880 = (_e878 >> bitcast<u32>(11u));
-                                            let _e882 = ((1u + _e432) % 4u);
-                                            if (_e882 < 4u) {
+                                            let _e2047 = global_4.member[_e851.member_1][_e2042];
+                                            let _e2049 = (_e2047 >> bitcast<u32>(11u));
+                                            let _e2051 = ((1u + _e432) % 4u);
+                                            if (_e2051 < 4u) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e887 = global_4.member[_e851.member_1][_e882];
-                                            let _e889 = (_e887 >> bitcast<u32>(11u));
-                                            let _e912 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.x - _e851.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e913 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.y - _e851.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e914 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.z - _e851.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e916 = select(_e168, _e912, (_e912 > _e168));
-                                            let _e918 = select(_e168, _e913, (_e913 > _e168));
-                                            let _e920 = select(_e168, _e914, (_e914 > _e168));
-                                            let _e951 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e869 & 1023u))) - 8388608f) * _e916));
-                                            let _e956 = (bitcast<i32>((_e869 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e959 = bitcast<f32>((_e951 & bitcast<u32>(_e956)));
-                                            let _e960 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e878 & 1023u))) - 8388608f) * _e918));
-                                            let _e965 = (bitcast<i32>((_e878 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e968 = bitcast<f32>((_e960 & bitcast<u32>(_e965)));
-                                            let _e969 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e887 & 1023u))) - 8388608f) * _e920));
-                                            let _e974 = (bitcast<i32>((_e887 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e977 = bitcast<f32>((_e969 & bitcast<u32>(_e974)));
-                                            let _e981 = bitcast<f32>((_e951 & bitcast<u32>(~(_e956))));
-                                            let _e985 = bitcast<f32>((_e960 & bitcast<u32>(~(_e965))));
-                                            let _e989 = bitcast<f32>((_e969 & bitcast<u32>(~(_e974))));
-                                            let _e990 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e871 & 1023u))) - 8388608f) * _e916));
-                                            let _e995 = (bitcast<i32>((_e871 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e998 = bitcast<f32>((_e990 & bitcast<u32>(_e995)));
-                                            let _e999 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e880 & 1023u))) - 8388608f) * _e918));
-                                            let _e1004 = (bitcast<i32>((_e880 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1007 = bitcast<f32>((_e999 & bitcast<u32>(_e1004)));
-                                            let _e1008 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e889 & 1023u))) - 8388608f) * _e920));
-                                            let _e1013 = (bitcast<i32>((_e889 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1016 = bitcast<f32>((_e1008 & bitcast<u32>(_e1013)));
-                                            let _e1020 = bitcast<f32>((_e990 & bitcast<u32>(~(_e995))));
-                                            let _e1024 = bitcast<f32>((_e999 & bitcast<u32>(~(_e1004))));
-                                            let _e1028 = bitcast<f32>((_e1008 & bitcast<u32>(~(_e1013))));
-                                            let _e1029 = (_e851.member.member.x + _e959);
-                                            let _e1030 = (_e851.member.member.y + _e968);
-                                            let _e1031 = (_e851.member.member.z + _e977);
-                                            let _e1034 = (_e851.member.member_1.x - _e998);
-                                            let _e1035 = (_e851.member.member_1.y - _e1007);
-                                            let _e1036 = (_e851.member.member_1.z - _e1016);
-                                            let _e1055 = (_e1034 - _e1029);
-                                            let _e1056 = (_e1035 - _e1030);
-                                            let _e1057 = (_e1036 - _e1031);
-                                            let _e1059 = select(_e1056, _e1055, (_e1055 > _e1056));
-                                            let _e1061 = select(_e1057, _e1059, (_e1059 > _e1057));
-                                            if (_e1061 < (1024f * _e168)) {
-                                                phi_4061_ = 0u;
+                                            let _e2056 = global_4.member[_e851.member_1][_e2051];
+                                            let _e2058 = (_e2056 >> bitcast<u32>(11u));
+                                            let _e2081 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.x - _e851.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e2082 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.y - _e851.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e2083 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.z - _e851.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e2085 = select(_e168, _e2081, (_e2081 > _e168));
+                                            let _e2087 = select(_e168, _e2082, (_e2082 > _e168));
+                                            let _e2089 = select(_e168, _e2083, (_e2083 > _e168));
+                                            let _e2120 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2038 & 1023u))) - 8388608f) * _e2085));
+                                            let _e2125 = (bitcast<i32>((_e2038 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e2128 = bitcast<f32>((_e2120 & bitcast<u32>(_e2125)));
+                                            let _e2129 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2047 & 1023u))) - 8388608f) * _e2087));
+                                            let _e2134 = (bitcast<i32>((_e2047 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e2137 = bitcast<f32>((_e2129 & bitcast<u32>(_e2134)));
+                                            let _e2138 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2056 & 1023u))) - 8388608f) * _e2089));
+                                            let _e2143 = (bitcast<i32>((_e2056 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e2146 = bitcast<f32>((_e2138 & bitcast<u32>(_e2143)));
+                                            let _e2150 = bitcast<f32>((_e2120 & bitcast<u32>(~(_e2125))));
+                                            let _e2154 = bitcast<f32>((_e2129 & bitcast<u32>(~(_e2134))));
+                                            let _e2158 = bitcast<f32>((_e2138 & bitcast<u32>(~(_e2143))));
+                                            let _e2159 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2040 & 1023u))) - 8388608f) * _e2085));
+                                            let _e2164 = (bitcast<i32>((_e2040 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e2167 = bitcast<f32>((_e2159 & bitcast<u32>(_e2164)));
+                                            let _e2168 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2049 & 1023u))) - 8388608f) * _e2087));
+                                            let _e2173 = (bitcast<i32>((_e2049 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e2176 = bitcast<f32>((_e2168 & bitcast<u32>(_e2173)));
+                                            let _e2177 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2058 & 1023u))) - 8388608f) * _e2089));
+                                            let _e2182 = (bitcast<i32>((_e2058 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e2185 = bitcast<f32>((_e2177 & bitcast<u32>(_e2182)));
+                                            let _e2189 = bitcast<f32>((_e2159 & bitcast<u32>(~(_e2164))));
+                                            let _e2193 = bitcast<f32>((_e2168 & bitcast<u32>(~(_e2173))));
+                                            let _e2197 = bitcast<f32>((_e2177 & bitcast<u32>(~(_e2182))));
+                                            let _e2198 = (_e851.member.member.x + _e2128);
+                                            let _e2199 = (_e851.member.member.y + _e2137);
+                                            let _e2200 = (_e851.member.member.z + _e2146);
+                                            let _e2203 = (_e851.member.member_1.x - _e2167);
+                                            let _e2204 = (_e851.member.member_1.y - _e2176);
+                                            let _e2205 = (_e851.member.member_1.z - _e2185);
+                                            let _e2224 = (_e2203 - _e2198);
+                                            let _e2225 = (_e2204 - _e2199);
+                                            let _e2226 = (_e2205 - _e2200);
+                                            let _e2228 = select(_e2225, _e2224, (_e2224 > _e2225));
+                                            let _e2230 = select(_e2226, _e2228, (_e2228 > _e2226));
+                                            if (_e2230 < (1024f * _e168)) {
+                                                phi_4057_ = 0u;
                                             } else {
-                                                phi_4061_ = select(2u, 1u, (_e1061 < (2097152f * _e168)));
+                                                phi_4057_ = select(2u, 1u, (_e2230 < (2097152f * _e168)));
                                             }
-                                            let _e1068 = phi_4061_;
-                                            switch bitcast<i32>(_e1068) {
+                                            let _e2237 = phi_4057_;
+                                            switch bitcast<i32>(_e2237) {
                                                 case 0: {
-                                                    phi_4067_ = 1u;
+                                                    phi_4063_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_4067_ = 2u;
+                                                    phi_4063_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_4067_ = 3u;
+                                                    phi_4063_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_4067_ = u32();
+                                                    phi_4063_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e1071 = phi_4067_;
-                                            let _e1077 = global_4.member[_e851.member_1][0u];
-                                            let _e1081 = global_4.member[_e851.member_1][1u];
-                                            let _e1085 = global_4.member[_e851.member_1][2u];
-                                            let _e1089 = global_4.member[_e851.member_1][3u];
-                                            let _e1101 = (((_e1081 >> bitcast<u32>(22i)) | ((_e1085 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1089 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1102 = (_e1077 & 268435455u);
-                                            let _e1103 = (_e1101 & 268435455u);
-                                            let _e1106 = ((_e1077 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1114 = ((_e1077 >> bitcast<u32>(31i)) | (((_e1101 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1115 = (_e1106 != 0u);
-                                            if (_e1106 == 0u) {
-                                                phi_4322_ = _e1102;
+                                            let _e2240 = phi_4063_;
+                                            let _e2246 = global_4.member[_e851.member_1][0u];
+                                            let _e2250 = global_4.member[_e851.member_1][1u];
+                                            let _e2254 = global_4.member[_e851.member_1][2u];
+                                            let _e2258 = global_4.member[_e851.member_1][3u];
+                                            let _e2270 = (((_e2250 >> bitcast<u32>(22i)) | ((_e2254 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2258 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e2271 = (_e2246 & 268435455u);
+                                            let _e2272 = (_e2270 & 268435455u);
+                                            let _e2275 = ((_e2246 >> bitcast<u32>(28u)) & 7u);
+                                            let _e2283 = ((_e2246 >> bitcast<u32>(31i)) | (((_e2270 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e2284 = (_e2275 != 0u);
+                                            if (_e2275 == 0u) {
+                                                phi_4318_ = _e2271;
                                             } else {
-                                                if (_e1106 == 7u) {
-                                                    phi_4321_ = 2147483648u;
+                                                if (_e2275 == 7u) {
+                                                    phi_4317_ = 2147483648u;
                                                 } else {
-                                                    phi_4321_ = ((2147483648u | (_e1106 << bitcast<u32>(28u))) | (_e1103 & 268435455u));
+                                                    phi_4317_ = ((2147483648u | (_e2275 << bitcast<u32>(28u))) | (_e2272 & 268435455u));
                                                 }
-                                                let _e1124 = phi_4321_;
-                                                phi_4322_ = _e1124;
+                                                let _e2293 = phi_4317_;
+                                                phi_4318_ = _e2293;
                                             }
-                                            let _e1126 = phi_4322_;
-                                            if _e1115 {
-                                                let _e1127 = (_e1106 != 7u);
-                                                if _e1127 {
-                                                    phi_4332_ = (_e1103 + (_e1106 * ((3u * _e1071) + 1u)));
+                                            let _e2295 = phi_4318_;
+                                            if _e2284 {
+                                                let _e2296 = (_e2275 != 7u);
+                                                if _e2296 {
+                                                    phi_4328_ = (_e2272 + (_e2275 * ((3u * _e2240) + 1u)));
                                                 } else {
-                                                    phi_4332_ = u32();
+                                                    phi_4328_ = u32();
                                                 }
-                                                let _e1131 = phi_4332_;
-                                                phi_4334_ = _e1131;
-                                                phi_4335_ = select(true, false, _e1127);
+                                                let _e2300 = phi_4328_;
+                                                phi_4330_ = _e2300;
+                                                phi_4331_ = select(true, false, _e2296);
                                             } else {
-                                                phi_4334_ = u32();
-                                                phi_4335_ = true;
+                                                phi_4330_ = u32();
+                                                phi_4331_ = true;
                                             }
-                                            let _e1134 = phi_4334_;
-                                            let _e1136 = phi_4335_;
-                                            if (_e1114 == 0u) {
-                                                phi_4356_ = (_e1102 + select(0u, 1u, !(_e1115)));
+                                            let _e2303 = phi_4330_;
+                                            let _e2305 = phi_4331_;
+                                            if (_e2283 == 0u) {
+                                                phi_4352_ = (_e2271 + select(0u, 1u, !(_e2284)));
                                             } else {
-                                                if (_e1114 == 7u) {
-                                                    phi_4355_ = 2147483648u;
+                                                if (_e2283 == 7u) {
+                                                    phi_4351_ = 2147483648u;
                                                 } else {
-                                                    phi_4355_ = ((2147483648u | (_e1114 << bitcast<u32>(28u))) | (select(_e1134, _e1103, _e1136) & 268435455u));
+                                                    phi_4351_ = ((2147483648u | (_e2283 << bitcast<u32>(28u))) | (select(_e2303, _e2272, _e2305) & 268435455u));
                                                 }
-                                                let _e1149 = phi_4355_;
-                                                phi_4356_ = _e1149;
+                                                let _e2318 = phi_4351_;
+                                                phi_4352_ = _e2318;
                                             }
-                                            let _e1151 = phi_4356_;
-                                            phi_4360_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e1029, (_e851.member.member.x + _e981), _e1034, (_e851.member.member_1.x - _e1020)), vec4<f32>(_e1030, (_e851.member.member.y + _e985), _e1035, (_e851.member.member_1.y - _e1024)), vec4<f32>(_e1031, (_e851.member.member.z + _e989), _e1036, (_e851.member.member_1.z - _e1028))), type_57(type_37((_e851.member.member + vec4<f32>(_e959, _e968, _e977, 0f)), (_e851.member.member_1 - vec4<f32>(_e998, _e1007, _e1016, 0f))), _e1126), type_57(type_37((_e851.member.member + vec4<f32>(_e981, _e985, _e989, 0f)), (_e851.member.member_1 - vec4<f32>(_e1020, _e1024, _e1028, 0f))), _e1151));
+                                            let _e2320 = phi_4352_;
+                                            phi_4356_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e2198, (_e851.member.member.x + _e2150), _e2203, (_e851.member.member_1.x - _e2189)), vec4<f32>(_e2199, (_e851.member.member.y + _e2154), _e2204, (_e851.member.member_1.y - _e2193)), vec4<f32>(_e2200, (_e851.member.member.z + _e2158), _e2205, (_e851.member.member_1.z - _e2197))), type_57(type_37((_e851.member.member + vec4<f32>(_e2128, _e2137, _e2146, 0f)), (_e851.member.member_1 - vec4<f32>(_e2167, _e2176, _e2185, 0f))), _e2295), type_57(type_37((_e851.member.member + vec4<f32>(_e2150, _e2154, _e2158, 0f)), (_e851.member.member_1 - vec4<f32>(_e2189, _e2193, _e2197, 0f))), _e2320));
                                         }
-                                        let _e1156 = phi_4360_;
-                                        let _e1168 = ((_e1156.member[0].x - _e516) * _e521);
-                                        let _e1169 = ((_e1156.member[0].y - _e516) * _e521);
-                                        let _e1170 = ((_e1156.member[0].z - _e517) * _e521);
-                                        let _e1171 = ((_e1156.member[0].w - _e517) * _e521);
-                                        let _e1181 = ((_e1156.member[1].x - _e582) * _e587);
-                                        let _e1182 = ((_e1156.member[1].y - _e582) * _e587);
-                                        let _e1183 = ((_e1156.member[1].z - _e583) * _e587);
-                                        let _e1184 = ((_e1156.member[1].w - _e583) * _e587);
-                                        let _e1194 = ((_e1156.member[2].x - _e648) * _e653);
-                                        let _e1195 = ((_e1156.member[2].y - _e648) * _e653);
-                                        let _e1196 = ((_e1156.member[2].z - _e649) * _e653);
-                                        let _e1197 = ((_e1156.member[2].w - _e649) * _e653);
-                                        let _e1199 = select(_e1196, _e1194, (_e1194 < _e1196));
-                                        let _e1201 = select(_e1197, _e1195, (_e1195 < _e1197));
-                                        let _e1203 = select(_e1196, _e1194, (_e1194 > _e1196));
-                                        let _e1205 = select(_e1197, _e1195, (_e1195 > _e1197));
-                                        let _e1207 = select(_e1170, _e1168, (_e1168 < _e1170));
-                                        let _e1209 = select(_e1171, _e1169, (_e1169 < _e1171));
-                                        let _e1211 = select(_e1183, _e1181, (_e1181 < _e1183));
-                                        let _e1213 = select(_e1184, _e1182, (_e1182 < _e1184));
-                                        let _e1215 = select(_e1211, _e1207, (_e1207 > _e1211));
-                                        let _e1217 = select(_e1213, _e1209, (_e1209 > _e1213));
-                                        let _e1219 = select(_e1199, _e1215, (_e1215 > _e1199));
-                                        let _e1221 = select(_e1201, _e1217, (_e1217 > _e1201));
-                                        let _e1223 = select(_e1170, _e1168, (_e1168 > _e1170));
-                                        let _e1225 = select(_e1171, _e1169, (_e1169 > _e1171));
-                                        let _e1227 = select(_e1183, _e1181, (_e1181 > _e1183));
-                                        let _e1229 = select(_e1184, _e1182, (_e1182 > _e1184));
-                                        let _e1231 = select(_e1227, _e1223, (_e1223 < _e1227));
-                                        let _e1233 = select(_e1229, _e1225, (_e1225 < _e1229));
-                                        let _e1238 = -(_e1199);
-                                        let _e1239 = -(_e1201);
-                                        let _e1246 = (select(_e1203, _e1231, (_e1231 < _e1203)) + (select(_e1238, _e1203, (_e1203 > _e1238)) * 0.0000019073523f));
-                                        let _e1247 = (select(_e1205, _e1233, (_e1233 < _e1205)) + (select(_e1239, _e1205, (_e1205 > _e1239)) * 0.0000019073523f));
-                                        let _e1249 = select(_e764, _e1219, (_e1219 > _e764));
-                                        let _e1251 = select(_e764, _e1221, (_e1221 > _e764));
-                                        let _e1256 = (_e1249 <= select(_e808.member_1, _e1246, (_e1246 < _e808.member_1)));
-                                        let _e1257 = (_e1251 <= select(_e808.member_1, _e1247, (_e1247 < _e808.member_1)));
-                                        let _e1258 = (_e1249 <= _e1251);
-                                        if _e1256 {
-                                            if _e1257 {
-                                                if _e1258 {
-                                                    phi_4722_ = _e1156.member_2;
+                                        let _e2325 = phi_4356_;
+                                        let _e2337 = ((_e2325.member[0].x - _e516) * _e521);
+                                        let _e2338 = ((_e2325.member[0].y - _e516) * _e521);
+                                        let _e2339 = ((_e2325.member[0].z - _e517) * _e521);
+                                        let _e2340 = ((_e2325.member[0].w - _e517) * _e521);
+                                        let _e2350 = ((_e2325.member[1].x - _e582) * _e587);
+                                        let _e2351 = ((_e2325.member[1].y - _e582) * _e587);
+                                        let _e2352 = ((_e2325.member[1].z - _e583) * _e587);
+                                        let _e2353 = ((_e2325.member[1].w - _e583) * _e587);
+                                        let _e2363 = ((_e2325.member[2].x - _e648) * _e653);
+                                        let _e2364 = ((_e2325.member[2].y - _e648) * _e653);
+                                        let _e2365 = ((_e2325.member[2].z - _e649) * _e653);
+                                        let _e2366 = ((_e2325.member[2].w - _e649) * _e653);
+                                        let _e2368 = select(_e2365, _e2363, (_e2363 < _e2365));
+                                        let _e2370 = select(_e2366, _e2364, (_e2364 < _e2366));
+                                        let _e2372 = select(_e2365, _e2363, (_e2363 > _e2365));
+                                        let _e2374 = select(_e2366, _e2364, (_e2364 > _e2366));
+                                        let _e2376 = select(_e2339, _e2337, (_e2337 < _e2339));
+                                        let _e2378 = select(_e2340, _e2338, (_e2338 < _e2340));
+                                        let _e2380 = select(_e2352, _e2350, (_e2350 < _e2352));
+                                        let _e2382 = select(_e2353, _e2351, (_e2351 < _e2353));
+                                        let _e2384 = select(_e2380, _e2376, (_e2376 > _e2380));
+                                        let _e2386 = select(_e2382, _e2378, (_e2378 > _e2382));
+                                        let _e2388 = select(_e2368, _e2384, (_e2384 > _e2368));
+                                        let _e2390 = select(_e2370, _e2386, (_e2386 > _e2370));
+                                        let _e2392 = select(_e2339, _e2337, (_e2337 > _e2339));
+                                        let _e2394 = select(_e2340, _e2338, (_e2338 > _e2340));
+                                        let _e2396 = select(_e2352, _e2350, (_e2350 > _e2352));
+                                        let _e2398 = select(_e2353, _e2351, (_e2351 > _e2353));
+                                        let _e2400 = select(_e2396, _e2392, (_e2392 < _e2396));
+                                        let _e2402 = select(_e2398, _e2394, (_e2394 < _e2398));
+                                        let _e2407 = -(_e2368);
+                                        let _e2408 = -(_e2370);
+                                        let _e2415 = (select(_e2372, _e2400, (_e2400 < _e2372)) + (select(_e2407, _e2372, (_e2372 > _e2407)) * 0.0000019073523f));
+                                        let _e2416 = (select(_e2374, _e2402, (_e2402 < _e2374)) + (select(_e2408, _e2374, (_e2374 > _e2408)) * 0.0000019073523f));
+                                        let _e2418 = select(_e764, _e2388, (_e2388 > _e764));
+                                        let _e2420 = select(_e764, _e2390, (_e2390 > _e764));
+                                        let _e2425 = (_e2418 <= select(_e2029.member_1, _e2415, (_e2415 < _e2029.member_1)));
+                                        let _e2426 = (_e2420 <= select(_e2029.member_1, _e2416, (_e2416 < _e2029.member_1)));
+                                        let _e2427 = (_e2418 <= _e2420);
+                                        if _e2425 {
+                                            if _e2426 {
+                                                if _e2427 {
+                                                    phi_4718_ = _e2325.member_2;
                                                 } else {
-                                                    phi_4722_ = _e1156.member_1;
+                                                    phi_4718_ = _e2325.member_1;
                                                 }
-                                                let _e1262 = phi_4722_;
-                                                let _e1284 = (_e849 % 128u);
-                                                let _e1285 = (_e1284 < 128u);
-                                                if _e1285 {
+                                                let _e2431 = phi_4718_;
+                                                let _e2452 = (_e849 % 128u);
+                                                let _e2453 = (_e2452 < 128u);
+                                                if _e2453 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1284] = _e1262.member_1;
-                                                if _e1285 {
+                                                local_8[_e2452] = _e2431.member_1;
+                                                if _e2453 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1284] = _e1262.member.member.x;
-                                                if _e1285 {
+                                                local_7[_e2452] = _e2431.member.member.x;
+                                                if _e2453 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1284] = _e1262.member.member.y;
-                                                if _e1285 {
+                                                local_6[_e2452] = _e2431.member.member.y;
+                                                if _e2453 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1284] = _e1262.member.member.z;
-                                                if _e1285 {
+                                                local_5[_e2452] = _e2431.member.member.z;
+                                                if _e2453 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1284] = _e1262.member.member_1.x;
-                                                if _e1285 {
+                                                local_4[_e2452] = _e2431.member.member_1.x;
+                                                if _e2453 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1284] = _e1262.member.member_1.y;
-                                                if _e1285 {
+                                                local_3[_e2452] = _e2431.member.member_1.y;
+                                                if _e2453 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1284] = _e1262.member.member_1.z;
-                                                if _e1285 {
+                                                local_2[_e2452] = _e2431.member.member_1.z;
+                                                if _e2453 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1284] = select(_e1251, _e1249, !(_e1258));
-                                                if _e1258 {
-                                                    phi_4799_ = _e1156.member_1;
+                                                local_9[_e2452] = select(_e2418, _e2420, _e2427);
+                                                if _e2427 {
+                                                    phi_4794_ = _e2325.member_1;
                                                 } else {
-                                                    phi_4799_ = _e1156.member_2;
+                                                    phi_4794_ = _e2325.member_2;
                                                 }
-                                                let _e1298 = phi_4799_;
-                                                phi_4800_ = (_e849 + 1u);
-                                                phi_4801_ = _e1298;
+                                                let _e2466 = phi_4794_;
+                                                phi_4795_ = (_e849 + 1u);
+                                                phi_4796_ = _e2466;
                                             } else {
-                                                phi_4800_ = u32();
-                                                phi_4801_ = type_57();
+                                                phi_4795_ = u32();
+                                                phi_4796_ = type_57();
                                             }
-                                            let _e1300 = phi_4800_;
-                                            let _e1302 = phi_4801_;
-                                            phi_4803_ = _e1300;
-                                            phi_4804_ = _e1302;
-                                            phi_4805_ = select(true, false, _e1257);
+                                            let _e2468 = phi_4795_;
+                                            let _e2470 = phi_4796_;
+                                            phi_4798_ = _e2468;
+                                            phi_4799_ = _e2470;
+                                            phi_4800_ = select(true, false, _e2426);
                                         } else {
-                                            phi_4803_ = u32();
-                                            phi_4804_ = type_57();
-                                            phi_4805_ = true;
+                                            phi_4798_ = u32();
+                                            phi_4799_ = type_57();
+                                            phi_4800_ = true;
                                         }
-                                        let _e1305 = phi_4803_;
-                                        let _e1307 = phi_4804_;
-                                        let _e1309 = phi_4805_;
-                                        if _e1309 {
-                                            if _e1256 {
-                                                phi_4814_ = _e1156.member_1;
+                                        let _e2473 = phi_4798_;
+                                        let _e2475 = phi_4799_;
+                                        let _e2477 = phi_4800_;
+                                        if _e2477 {
+                                            if _e2425 {
+                                                phi_4809_ = _e2325.member_1;
                                             } else {
-                                                phi_4814_ = _e1156.member_2;
+                                                phi_4809_ = _e2325.member_2;
                                             }
-                                            let _e1313 = phi_4814_;
-                                            phi_4819_ = select(_e1257, true, _e1256);
-                                            phi_4821_ = _e1313;
+                                            let _e2481 = phi_4809_;
+                                            phi_4814_ = select(_e2426, true, _e2425);
+                                            phi_4816_ = _e2481;
                                         } else {
-                                            phi_4819_ = _e847;
-                                            phi_4821_ = _e1307;
+                                            phi_4814_ = _e847;
+                                            phi_4816_ = _e2475;
                                         }
-                                        let _e1316 = phi_4819_;
-                                        let _e1318 = phi_4821_;
-                                        phi_5513_ = _e806;
-                                        phi_4825_ = _e808;
-                                        phi_4826_ = _e1316;
-                                        phi_4827_ = select(_e1305, _e849, _e1309);
-                                        phi_4828_ = _e1318;
+                                        let _e2484 = phi_4814_;
+                                        let _e2486 = phi_4816_;
+                                        phi_4820_ = _e2484;
+                                        phi_4821_ = select(_e2473, _e849, _e2477);
+                                        phi_4822_ = _e2486;
                                     }
-                                    let _e2486 = phi_5513_;
-                                    let _e2488 = phi_4825_;
-                                    let _e2490 = phi_4826_;
-                                    let _e2492 = phi_4827_;
-                                    let _e2494 = phi_4828_;
-                                    phi_5512_ = _e2486;
-                                    phi_4829_ = _e2488;
-                                    phi_4830_ = _e2490;
-                                    phi_4831_ = (_e812 - 1u);
-                                    phi_4832_ = _e2492;
-                                    phi_4833_ = _e2494;
+                                    let _e2489 = phi_4820_;
+                                    let _e2491 = phi_4821_;
+                                    let _e2493 = phi_4822_;
+                                    if _e855 {
+                                        phi_4832_ = _e851;
+                                    } else {
+                                        phi_4832_ = _e2493;
+                                    }
+                                    let _e2495 = phi_4832_;
+                                    phi_5516_ = _e2027;
+                                    phi_4833_ = _e2029;
+                                    phi_4834_ = (_e810 - 1u);
+                                    phi_4835_ = select(_e2489, false, _e855);
+                                    phi_4836_ = select(_e2491, _e849, _e855);
+                                    phi_4837_ = _e2495;
                                 } else {
-                                    phi_5512_ = _e806;
-                                    phi_4829_ = _e808;
-                                    phi_4830_ = _e847;
-                                    phi_4831_ = _e812;
-                                    phi_4832_ = _e849;
-                                    phi_4833_ = _e851;
+                                    phi_5516_ = _e806;
+                                    phi_4833_ = _e808;
+                                    phi_4834_ = _e810;
+                                    phi_4835_ = _e847;
+                                    phi_4836_ = _e849;
+                                    phi_4837_ = _e851;
                                 }
-                                let _e2496 = phi_5512_;
-                                let _e2498 = phi_4829_;
-                                let _e2500 = phi_4830_;
-                                let _e2502 = phi_4831_;
-                                let _e2504 = phi_4832_;
-                                let _e2506 = phi_4833_;
-                                phi_5511_ = _e2496;
-                                phi_4834_ = _e2498;
-                                phi_4835_ = _e2500;
-                                phi_4836_ = _e2502;
-                                phi_4837_ = _e2504;
-                                phi_4838_ = _e2506;
+                                let _e2499 = phi_5516_;
+                                let _e2501 = phi_4833_;
+                                let _e2503 = phi_4834_;
+                                let _e2505 = phi_4835_;
+                                let _e2507 = phi_4836_;
+                                let _e2509 = phi_4837_;
+                                phi_5515_ = _e2499;
+                                phi_4838_ = _e2501;
+                                phi_4839_ = _e2503;
+                                phi_4840_ = _e2505;
+                                phi_4841_ = _e2507;
+                                phi_4842_ = _e2509;
                             } else {
-                                phi_5511_ = _e806;
-                                phi_4834_ = type_43();
-                                phi_4835_ = bool();
-                                phi_4836_ = u32();
-                                phi_4837_ = u32();
-                                phi_4838_ = type_57();
+                                phi_5515_ = _e806;
+                                phi_4838_ = type_43();
+                                phi_4839_ = u32();
+                                phi_4840_ = bool();
+                                phi_4841_ = u32();
+                                phi_4842_ = type_57();
                             }
-                            let _e2508 = phi_5511_;
-                            let _e2510 = phi_4834_;
-                            let _e2512 = phi_4835_;
-                            let _e2514 = phi_4836_;
-                            let _e2516 = phi_4837_;
-                            let _e2518 = phi_4838_;
-                            phi_5510_ = _e2508;
-                            phi_1402_ = _e2510;
-                            phi_1405_ = _e2512;
-                            phi_1407_ = _e2514;
-                            phi_1409_ = _e2516;
-                            phi_1411_ = _e2518;
-                            phi_4839_ = _e820;
+                            let _e2511 = phi_5515_;
+                            let _e2513 = phi_4838_;
+                            let _e2515 = phi_4839_;
+                            let _e2517 = phi_4840_;
+                            let _e2519 = phi_4841_;
+                            let _e2521 = phi_4842_;
+                            phi_5514_ = _e2511;
+                            phi_1402_ = _e2513;
+                            phi_1405_ = _e2515;
+                            phi_1407_ = _e2517;
+                            phi_1409_ = _e2519;
+                            phi_1411_ = _e2521;
+                            phi_4843_ = _e820;
                         } else {
-                            phi_5510_ = _e806;
+                            phi_5514_ = _e806;
                             phi_1402_ = type_43();
-                            phi_1405_ = bool();
-                            phi_1407_ = u32();
+                            phi_1405_ = u32();
+                            phi_1407_ = bool();
                             phi_1409_ = u32();
                             phi_1411_ = type_57();
-                            phi_4839_ = false;
+                            phi_4843_ = false;
                         }
-                        let _e2520 = phi_5510_;
-                        let _e2522 = phi_1402_;
-                        let _e2524 = phi_1405_;
-                        let _e2526 = phi_1407_;
-                        let _e2528 = phi_1409_;
-                        let _e2530 = phi_1411_;
-                        let _e2532 = phi_4839_;
+                        let _e2523 = phi_5514_;
+                        let _e2525 = phi_1402_;
+                        let _e2527 = phi_1405_;
+                        let _e2529 = phi_1407_;
+                        let _e2531 = phi_1409_;
+                        let _e2533 = phi_1411_;
+                        let _e2535 = phi_4843_;
                         continue;
                         continuing {
-                            phi_5276_ = _e2520;
-                            phi_1401_ = _e2522;
-                            phi_1404_ = _e2524;
-                            phi_1406_ = _e2526;
-                            phi_1408_ = _e2528;
-                            phi_1410_ = _e2530;
-                            phi_5509_ = _e2520;
-                            break if !(_e2532);
+                            phi_5280_ = _e2523;
+                            phi_1401_ = _e2525;
+                            phi_1404_ = _e2527;
+                            phi_1406_ = _e2529;
+                            phi_1408_ = _e2531;
+                            phi_1410_ = _e2533;
+                            phi_5513_ = _e2523;
+                            break if !(_e2535);
                         }
                     }
-                    let _e2535 = phi_5509_;
-                    if _e2535 {
+                    let _e2538 = phi_5513_;
+                    if _e2538 {
                         break;
                     }
-                    let _e2537 = local_10;
-                    if (_e2537.member.member_3 != 4294967295u) {
-                        let _e2542 = bitcast<u32>(_e2537.member.member);
-                        let _e2546 = (bitcast<i32>((_e2542 >> bitcast<u32>(23i))) & 255i);
-                        let _e2547 = (_e2546 + _e433);
-                        if (_e2546 == 255i) {
-                            phi_4898_ = _e2537.member.member;
+                    let _e2540 = local_10;
+                    if (_e2540.member.member_3 != 4294967295u) {
+                        let _e2545 = bitcast<u32>(_e2540.member.member);
+                        let _e2549 = (bitcast<i32>((_e2545 >> bitcast<u32>(23i))) & 255i);
+                        let _e2550 = (_e2549 + _e433);
+                        if (_e2549 == 255i) {
+                            phi_4902_ = _e2540.member.member;
                         } else {
-                            if (_e2546 > 0i) {
-                                if (_e2547 > 0i) {
-                                    let _e2551 = (_e2547 < 255i);
-                                    if _e2551 {
-                                        phi_4877_ = bitcast<f32>((_e2542 + bitcast<u32>((_e433 << bitcast<u32>(23i)))));
+                            if (_e2549 > 0i) {
+                                if (_e2550 > 0i) {
+                                    let _e2554 = (_e2550 < 255i);
+                                    if _e2554 {
+                                        phi_4881_ = bitcast<f32>((_e2545 + bitcast<u32>((_e433 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4877_ = f32();
+                                        phi_4881_ = f32();
                                     }
-                                    let _e2558 = phi_4877_;
-                                    phi_4879_ = _e2558;
-                                    phi_4880_ = select(true, false, _e2551);
+                                    let _e2561 = phi_4881_;
+                                    phi_4883_ = _e2561;
+                                    phi_4884_ = select(true, false, _e2554);
                                 } else {
-                                    phi_4879_ = f32();
-                                    phi_4880_ = true;
+                                    phi_4883_ = f32();
+                                    phi_4884_ = true;
                                 }
-                                let _e2561 = phi_4879_;
-                                let _e2563 = phi_4880_;
-                                phi_4881_ = _e2561;
-                                phi_4882_ = _e2563;
+                                let _e2564 = phi_4883_;
+                                let _e2566 = phi_4884_;
+                                phi_4885_ = _e2564;
+                                phi_4886_ = _e2566;
                             } else {
-                                phi_4881_ = f32();
-                                phi_4882_ = true;
+                                phi_4885_ = f32();
+                                phi_4886_ = true;
                             }
-                            let _e2565 = phi_4881_;
-                            let _e2567 = phi_4882_;
-                            if _e2567 {
-                                let _e2568 = (_e2542 & 2147483648u);
-                                let _e2575 = ((_e2542 & 8388607u) | (select(0u, 1u, ((_e2542 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2579 = (_e2575 == 0u);
-                                if _e2579 {
-                                    phi_5228_ = bitcast<f32>(_e2568);
+                            let _e2568 = phi_4885_;
+                            let _e2570 = phi_4886_;
+                            if _e2570 {
+                                let _e2571 = (_e2545 & 2147483648u);
+                                let _e2578 = ((_e2545 & 8388607u) | (select(0u, 1u, ((_e2545 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2582 = (_e2578 == 0u);
+                                if _e2582 {
+                                    phi_5232_ = bitcast<f32>(_e2571);
                                 } else {
-                                    let _e2584 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2575)), 32u, _e2579) - 8u);
-                                    let _e2587 = (_e2575 << bitcast<u32>((_e2584 & 31u)));
-                                    let _e2589 = ((_e2547 + select(0i, 1i, (_e2546 == 0i))) - bitcast<i32>(_e2584));
-                                    if (_e2589 >= 255i) {
-                                        phi_5218_ = bitcast<f32>((_e2568 | 2139095040u));
-                                        phi_5219_ = f32();
-                                        phi_5220_ = true;
+                                    let _e2587 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2578)), 32u, _e2582) - 8u);
+                                    let _e2590 = (_e2578 << bitcast<u32>((_e2587 & 31u)));
+                                    let _e2592 = ((_e2550 + select(0i, 1i, (_e2549 == 0i))) - bitcast<i32>(_e2587));
+                                    if (_e2592 >= 255i) {
+                                        phi_5222_ = bitcast<f32>((_e2571 | 2139095040u));
+                                        phi_5223_ = f32();
+                                        phi_5224_ = true;
                                     } else {
-                                        let _e2591 = (_e2589 > 0i);
-                                        if _e2591 {
-                                            phi_5212_ = bitcast<f32>(((_e2568 | (bitcast<u32>(_e2589) << bitcast<u32>(23i))) | (_e2587 & 8388607u)));
-                                            phi_5213_ = f32();
+                                        let _e2594 = (_e2592 > 0i);
+                                        if _e2594 {
+                                            phi_5216_ = bitcast<f32>(((_e2571 | (bitcast<u32>(_e2592) << bitcast<u32>(23i))) | (_e2590 & 8388607u)));
+                                            phi_5217_ = f32();
                                         } else {
-                                            if (_e2589 < -24i) {
-                                                phi_5178_ = 26u;
+                                            if (_e2592 < -24i) {
+                                                phi_5182_ = 26u;
                                             } else {
-                                                phi_5178_ = bitcast<u32>((1i - _e2589));
+                                                phi_5182_ = bitcast<u32>((1i - _e2592));
                                             }
-                                            let _e2596 = phi_5178_;
-                                            let _e2597 = (_e2596 & 31u);
-                                            let _e2599 = (_e2587 >> bitcast<u32>(_e2597));
-                                            let _e2603 = (_e2587 & ((1u << bitcast<u32>(_e2597)) - 1u));
-                                            let _e2607 = (1u << bitcast<u32>(((_e2596 - 1u) & 31u)));
-                                            if (_e2603 > _e2607) {
-                                                phi_5199_ = true;
+                                            let _e2599 = phi_5182_;
+                                            let _e2600 = (_e2599 & 31u);
+                                            let _e2602 = (_e2590 >> bitcast<u32>(_e2600));
+                                            let _e2606 = (_e2590 & ((1u << bitcast<u32>(_e2600)) - 1u));
+                                            let _e2610 = (1u << bitcast<u32>(((_e2599 - 1u) & 31u)));
+                                            if (_e2606 > _e2610) {
+                                                phi_5203_ = true;
                                             } else {
-                                                if (_e2603 == _e2607) {
-                                                    phi_5196_ = ((_e2599 & 1u) == 1u);
+                                                if (_e2606 == _e2610) {
+                                                    phi_5200_ = ((_e2602 & 1u) == 1u);
                                                 } else {
-                                                    phi_5196_ = false;
+                                                    phi_5200_ = false;
                                                 }
-                                                let _e2613 = phi_5196_;
-                                                phi_5199_ = _e2613;
+                                                let _e2616 = phi_5200_;
+                                                phi_5203_ = _e2616;
                                             }
-                                            let _e2615 = phi_5199_;
-                                            phi_5212_ = f32();
-                                            phi_5213_ = bitcast<f32>((_e2568 | (_e2599 + select(0u, 1u, _e2615))));
+                                            let _e2618 = phi_5203_;
+                                            phi_5216_ = f32();
+                                            phi_5217_ = bitcast<f32>((_e2571 | (_e2602 + select(0u, 1u, _e2618))));
                                         }
-                                        let _e2628 = phi_5212_;
-                                        let _e2630 = phi_5213_;
-                                        phi_5218_ = _e2628;
-                                        phi_5219_ = _e2630;
-                                        phi_5220_ = _e2591;
+                                        let _e2631 = phi_5216_;
+                                        let _e2633 = phi_5217_;
+                                        phi_5222_ = _e2631;
+                                        phi_5223_ = _e2633;
+                                        phi_5224_ = _e2594;
                                     }
-                                    let _e2634 = phi_5218_;
-                                    let _e2636 = phi_5219_;
-                                    let _e2638 = phi_5220_;
-                                    phi_5228_ = select(_e2636, _e2634, _e2638);
+                                    let _e2637 = phi_5222_;
+                                    let _e2639 = phi_5223_;
+                                    let _e2641 = phi_5224_;
+                                    phi_5232_ = select(_e2639, _e2637, _e2641);
                                 }
-                                let _e2642 = phi_5228_;
-                                phi_4897_ = _e2642;
+                                let _e2645 = phi_5232_;
+                                phi_4901_ = _e2645;
                             } else {
-                                phi_4897_ = _e2565;
+                                phi_4901_ = _e2568;
                             }
-                            let _e2644 = phi_4897_;
-                            phi_4898_ = _e2644;
+                            let _e2647 = phi_4901_;
+                            phi_4902_ = _e2647;
                         }
-                        let _e2646 = phi_4898_;
-                        let _e2647 = bitcast<u32>(_e2646);
-                        if ((_e2647 & 2147483647u) >= 2139095040u) {
-                            phi_4910_ = bitcast<f32>(((_e2647 & 2147483648u) | 2139095039u));
+                        let _e2649 = phi_4902_;
+                        let _e2650 = bitcast<u32>(_e2649);
+                        if ((_e2650 & 2147483647u) >= 2139095040u) {
+                            phi_4914_ = bitcast<f32>(((_e2650 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4910_ = _e2646;
+                            phi_4914_ = _e2649;
                         }
-                        let _e2654 = phi_4910_;
-                        phi_4915_ = type_25(_e2654, _e2537.member.member_1, _e2537.member.member_2, _e2537.member.member_3);
+                        let _e2657 = phi_4914_;
+                        phi_4919_ = type_25(_e2657, _e2540.member.member_1, _e2540.member.member_2, _e2540.member.member_3);
                     } else {
-                        phi_4915_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4919_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2659 = phi_4915_;
+                    let _e2662 = phi_4919_;
                     if _e310 {
                     } else {
                         break;
                     }
-                    global_8.member[_e156] = _e2659;
+                    global_8.member[_e156] = _e2662;
                     if _e171 {
                     } else {
                         break;
                     }
-                    let _e2663 = select(0u, 1u, (_e377 <= _e387));
-                    if (_e2663 > 0u) {
-                        let _e2665 = (1u < _e124);
-                        if _e2665 {
+                    let _e2666 = select(0u, 1u, (_e377 <= _e387));
+                    if (_e2666 > 0u) {
+                        let _e2668 = (1u < _e124);
+                        if _e2668 {
                             if (0u < _e124) {
                             } else {
                                 break;
                             }
-                            let _e2669 = atomicAdd((&global_9.member[0u]), _e2663);
-                            if ((_e2669 + _e2663) < _e2669) {
-                                if _e2665 {
+                            let _e2672 = atomicAdd((&global_9.member[0u]), _e2666);
+                            if ((_e2672 + _e2666) < _e2672) {
+                                if _e2668 {
                                 } else {
                                     break;
                                 }
-                                let _e2674 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2677 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2677 = select(0u, 1u, (_e2659.member_3 != 4294967295u));
-                    if (_e2677 > 0u) {
-                        let _e2679 = (3u < _e124);
-                        if _e2679 {
+                    let _e2680 = select(0u, 1u, (_e2662.member_3 != 4294967295u));
+                    if (_e2680 > 0u) {
+                        let _e2682 = (3u < _e124);
+                        if _e2682 {
                             if (2u < _e124) {
                             } else {
                                 break;
                             }
-                            let _e2683 = atomicAdd((&global_9.member[2u]), _e2677);
-                            if ((_e2683 + _e2677) < _e2683) {
-                                if _e2679 {
+                            let _e2686 = atomicAdd((&global_9.member[2u]), _e2680);
+                            if ((_e2686 + _e2680) < _e2686) {
+                                if _e2682 {
                                 } else {
                                     break;
                                 }
-                                let _e2688 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2691 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

@@ -164,34 +164,16 @@ fn function_() {
     var phi_1290_: u32;
     var phi_1298_: f32;
     var phi_1299_: f32;
-    var phi_4609_: bool;
+    var phi_4613_: bool;
     var phi_1395_: type_44;
-    var phi_1398_: bool;
-    var phi_1400_: u32;
+    var phi_1398_: u32;
+    var phi_1400_: bool;
     var phi_1402_: u32;
     var phi_1404_: type_62;
     var phi_1415_: bool;
     var phi_1501_: bool;
     var phi_1502_: u32;
     var phi_1503_: type_62;
-    var phi_3654_: u32;
-    var phi_3655_: u32;
-    var phi_3665_: u32;
-    var phi_3667_: u32;
-    var phi_3668_: bool;
-    var phi_3688_: u32;
-    var phi_3689_: u32;
-    var phi_3693_: type_63;
-    var phi_4055_: type_62;
-    var phi_4132_: type_62;
-    var phi_4133_: u32;
-    var phi_4134_: type_62;
-    var phi_4136_: u32;
-    var phi_4137_: type_62;
-    var phi_4138_: bool;
-    var phi_4147_: type_62;
-    var phi_4152_: bool;
-    var phi_4154_: type_62;
     var phi_1521_: type_44;
     var phi_1524_: type_8;
     var phi_1525_: type_8;
@@ -251,51 +233,70 @@ fn function_() {
     var phi_2921_: type_44;
     var phi_2922_: type_44;
     var phi_1522_: type_44;
-    var phi_4603_: bool;
-    var phi_4799_: bool;
-    var phi_4158_: type_44;
-    var phi_4159_: bool;
-    var phi_4160_: u32;
-    var phi_4161_: type_62;
-    var phi_4798_: bool;
-    var phi_4162_: type_44;
-    var phi_4163_: bool;
-    var phi_4164_: u32;
-    var phi_4165_: u32;
-    var phi_4166_: type_62;
-    var phi_4797_: bool;
-    var phi_4167_: type_44;
+    var phi_4607_: bool;
+    var phi_4885_: bool;
+    var phi_2923_: type_44;
+    var phi_3650_: u32;
+    var phi_3651_: u32;
+    var phi_3661_: u32;
+    var phi_3663_: u32;
+    var phi_3664_: bool;
+    var phi_3684_: u32;
+    var phi_3685_: u32;
+    var phi_3689_: type_63;
+    var phi_4051_: type_62;
+    var phi_4127_: type_62;
+    var phi_4128_: u32;
+    var phi_4129_: type_62;
+    var phi_4131_: u32;
+    var phi_4132_: type_62;
+    var phi_4133_: bool;
+    var phi_4142_: type_62;
+    var phi_4147_: bool;
+    var phi_4149_: type_62;
+    var phi_4153_: bool;
+    var phi_4154_: u32;
+    var phi_4155_: type_62;
+    var phi_4165_: type_62;
+    var phi_4802_: bool;
+    var phi_4166_: type_44;
+    var phi_4167_: u32;
     var phi_4168_: bool;
     var phi_4169_: u32;
-    var phi_4170_: u32;
-    var phi_4171_: type_62;
-    var phi_4796_: bool;
+    var phi_4170_: type_62;
+    var phi_4801_: bool;
+    var phi_4171_: type_44;
+    var phi_4172_: u32;
+    var phi_4173_: bool;
+    var phi_4174_: u32;
+    var phi_4175_: type_62;
+    var phi_4800_: bool;
     var phi_1396_: type_44;
-    var phi_1399_: bool;
-    var phi_1401_: u32;
+    var phi_1399_: u32;
+    var phi_1401_: bool;
     var phi_1403_: u32;
     var phi_1405_: type_62;
-    var phi_4172_: bool;
-    var phi_4795_: bool;
+    var phi_4176_: bool;
+    var phi_4799_: bool;
     var local_10: type_44;
-    var phi_4210_: f32;
-    var phi_4212_: f32;
-    var phi_4213_: bool;
     var phi_4214_: f32;
-    var phi_4215_: bool;
-    var phi_4511_: u32;
-    var phi_4529_: bool;
-    var phi_4532_: bool;
-    var phi_4545_: f32;
-    var phi_4546_: f32;
-    var phi_4551_: f32;
-    var phi_4552_: f32;
-    var phi_4553_: bool;
-    var phi_4561_: f32;
-    var phi_4230_: f32;
-    var phi_4231_: f32;
-    var phi_4243_: f32;
-    var phi_4248_: type_26;
+    var phi_4216_: f32;
+    var phi_4217_: bool;
+    var phi_4218_: f32;
+    var phi_4219_: bool;
+    var phi_4515_: u32;
+    var phi_4533_: bool;
+    var phi_4536_: bool;
+    var phi_4549_: f32;
+    var phi_4550_: f32;
+    var phi_4555_: f32;
+    var phi_4556_: f32;
+    var phi_4557_: bool;
+    var phi_4565_: f32;
+    var phi_4234_: f32;
+    var phi_4235_: f32;
+    var phi_4247_: f32;
+    var phi_4252_: type_26;
     var local_11: type_44;
 
     switch bitcast<i32>(0u) {
@@ -698,31 +699,31 @@ fn function_() {
                         break;
                     }
                     let _e789 = local[_e773];
-                    phi_4609_ = false;
+                    phi_4613_ = false;
                     phi_1395_ = type_44(type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e755);
-                    phi_1398_ = (_e757 <= _e755);
-                    phi_1400_ = ((3u * _e103) + 1u);
+                    phi_1398_ = ((3u * _e103) + 1u);
+                    phi_1400_ = (_e757 <= _e755);
                     phi_1402_ = 0u;
                     phi_1404_ = type_62(type_38(vec4<f32>((f32(_e764) * _e161), (f32(_e770) * _e161), (f32(_e776) * _e161), 0f), vec4<f32>((f32(_e781) * _e161), (f32(_e785) * _e161), (f32(_e789) * _e161), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
                     loop {
-                        let _e799 = phi_4609_;
+                        let _e799 = phi_4613_;
                         let _e801 = phi_1395_;
                         let _e803 = phi_1398_;
                         let _e805 = phi_1400_;
                         let _e807 = phi_1402_;
                         let _e809 = phi_1404_;
                         local_10 = _e801;
-                        if _e803 {
+                        if _e805 {
                             phi_1415_ = true;
                         } else {
                             phi_1415_ = (_e807 > 0u);
                         }
                         let _e812 = phi_1415_;
                         if _e812 {
-                            let _e813 = (_e805 > 0u);
+                            let _e813 = (_e803 > 0u);
                             if _e813 {
-                                if _e803 {
-                                    phi_1501_ = _e803;
+                                if _e805 {
+                                    phi_1501_ = _e805;
                                     phi_1502_ = _e807;
                                     phi_1503_ = _e809;
                                 } else {
@@ -731,49 +732,49 @@ fn function_() {
                                     let _e816 = (_e815 < 128u);
                                     if _e816 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e818 = local_7[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e820 = local_6[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e822 = local_5[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e824 = local_4[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e826 = local_3[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e828 = local_2[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e833 = local_8[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4795_ = true;
+                                        phi_4799_ = true;
                                         break;
                                     }
                                     let _e836 = local_9[_e815];
@@ -785,1078 +786,1088 @@ fn function_() {
                                 let _e842 = phi_1502_;
                                 let _e844 = phi_1503_;
                                 if _e840 {
-                                    if ((_e844.member_1 & 2147483648u) != 0u) {
+                                    let _e848 = ((_e844.member_1 & 2147483648u) != 0u);
+                                    if _e848 {
                                         phi_1521_ = _e801;
                                         phi_1524_ = type_8(0u, ((_e844.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1312 = phi_1521_;
-                                            let _e1314 = phi_1524_;
-                                            local_11 = _e1312;
-                                            if (_e1314.member < _e1314.member_1) {
-                                                phi_1525_ = type_8((_e1314.member + 1u), _e1314.member_1);
-                                                phi_1547_ = type_8(1u, _e1314.member);
+                                            let _e855 = phi_1521_;
+                                            let _e857 = phi_1524_;
+                                            local_11 = _e855;
+                                            if (_e857.member < _e857.member_1) {
+                                                phi_1525_ = type_8((_e857.member + 1u), _e857.member_1);
+                                                phi_1547_ = type_8(1u, _e857.member);
                                             } else {
-                                                phi_1525_ = _e1314;
+                                                phi_1525_ = _e857;
                                                 phi_1547_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1327 = phi_1525_;
-                                            let _e1329 = phi_1547_;
-                                            let _e1333 = (bitcast<i32>(_e1329.member) != 0i);
-                                            if _e1333 {
-                                                let _e1334 = ((_e844.member_1 & 268435455u) + _e1329.member_1);
-                                                let _e1335 = (_e1334 < _e105);
-                                                if _e1335 {
-                                                    if _e1335 {
+                                            let _e870 = phi_1525_;
+                                            let _e872 = phi_1547_;
+                                            let _e876 = (bitcast<i32>(_e872.member) != 0i);
+                                            if _e876 {
+                                                let _e877 = ((_e844.member_1 & 268435455u) + _e872.member_1);
+                                                let _e878 = (_e877 < _e105);
+                                                if _e878 {
+                                                    if _e878 {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1339 = global_4.member[_e1334].member_1;
-                                                    phi_1568_ = _e1339;
+                                                    let _e882 = global_4.member[_e877].member_1;
+                                                    phi_1568_ = _e882;
                                                 } else {
                                                     phi_1568_ = 4294967295u;
                                                 }
-                                                let _e1341 = phi_1568_;
-                                                if (_e1334 >= _e105) {
+                                                let _e884 = phi_1568_;
+                                                if (_e877 >= _e105) {
                                                     phi_1660_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1335 {
+                                                    if _e878 {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
                                                     if (_e761 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1348 = global_4.member[_e1334].member[_e761];
+                                                    let _e891 = global_4.member[_e877].member[_e761];
                                                     if (_e767 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1354 = global_4.member[_e1334].member[_e767];
+                                                    let _e897 = global_4.member[_e877].member[_e767];
                                                     if (_e773 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1360 = global_4.member[_e1334].member[_e773];
-                                                    let _e1362 = (3u + _e761);
-                                                    if (_e1362 < 9u) {
+                                                    let _e903 = global_4.member[_e877].member[_e773];
+                                                    let _e905 = (3u + _e761);
+                                                    if (_e905 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1368 = global_4.member[_e1334].member[_e1362];
-                                                    let _e1369 = (3u + _e767);
-                                                    if (_e1369 < 9u) {
+                                                    let _e911 = global_4.member[_e877].member[_e905];
+                                                    let _e912 = (3u + _e767);
+                                                    if (_e912 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1375 = global_4.member[_e1334].member[_e1369];
-                                                    let _e1376 = (3u + _e773);
-                                                    if (_e1376 < 9u) {
+                                                    let _e918 = global_4.member[_e877].member[_e912];
+                                                    let _e919 = (3u + _e773);
+                                                    if (_e919 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1382 = global_4.member[_e1334].member[_e1376];
-                                                    let _e1384 = (6u + _e761);
-                                                    if (_e1384 < 9u) {
+                                                    let _e925 = global_4.member[_e877].member[_e919];
+                                                    let _e927 = (6u + _e761);
+                                                    if (_e927 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1390 = global_4.member[_e1334].member[_e1384];
-                                                    let _e1391 = (6u + _e767);
-                                                    if (_e1391 < 9u) {
+                                                    let _e933 = global_4.member[_e877].member[_e927];
+                                                    let _e934 = (6u + _e767);
+                                                    if (_e934 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1397 = global_4.member[_e1334].member[_e1391];
-                                                    let _e1398 = (6u + _e773);
-                                                    if (_e1398 < 9u) {
+                                                    let _e940 = global_4.member[_e877].member[_e934];
+                                                    let _e941 = (6u + _e773);
+                                                    if (_e941 < 9u) {
                                                     } else {
-                                                        phi_4603_ = true;
+                                                        phi_4607_ = true;
                                                         break;
                                                     }
-                                                    let _e1404 = global_4.member[_e1334].member[_e1398];
-                                                    phi_1660_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1348, _e1354, _e1360), array<f32, 3>(_e1368, _e1375, _e1382), array<f32, 3>(_e1390, _e1397, _e1404));
+                                                    let _e947 = global_4.member[_e877].member[_e941];
+                                                    phi_1660_ = array<array<f32, 3>, 3>(array<f32, 3>(_e891, _e897, _e903), array<f32, 3>(_e911, _e918, _e925), array<f32, 3>(_e933, _e940, _e947));
                                                 }
-                                                let _e1408 = phi_1660_;
-                                                let _e1416 = (_e1408[0][2] - _e604);
-                                                let _e1419 = (((_e1408[0][0] - _e471) * _e643) - (_e1416 * _e511));
-                                                let _e1422 = (((_e1408[0][1] - _e538) * _e643) - (_e1416 * _e577));
-                                                let _e1429 = (_e1408[1][2] - _e604);
-                                                let _e1432 = (((_e1408[1][0] - _e471) * _e643) - (_e1429 * _e511));
-                                                let _e1435 = (((_e1408[1][1] - _e538) * _e643) - (_e1429 * _e577));
-                                                let _e1442 = (_e1408[2][2] - _e604);
-                                                let _e1445 = (((_e1408[2][0] - _e471) * _e643) - (_e1442 * _e511));
-                                                let _e1448 = (((_e1408[2][1] - _e538) * _e643) - (_e1442 * _e577));
-                                                let _e1449 = (_e1445 * _e1435);
-                                                let _e1450 = (_e1448 * _e1432);
-                                                let _e1451 = (_e1419 * _e1448);
-                                                let _e1452 = (_e1422 * _e1445);
-                                                let _e1453 = (_e1432 * _e1422);
-                                                let _e1454 = (_e1435 * _e1419);
-                                                let _e1459 = (((_e1449 >= _e1450) && (_e1451 >= _e1452)) && (_e1453 >= _e1454));
-                                                if (_e1459 || (((_e1449 <= _e1450) && (_e1451 <= _e1452)) && (_e1453 <= _e1454))) {
-                                                    let _e1466 = select(-1f, 1f, _e1459);
-                                                    let _e1468 = ((_e1449 - _e1450) * _e1466);
-                                                    let _e1470 = select(0f, _e1468, (_e1468 > 0f));
-                                                    let _e1472 = ((_e1451 - _e1452) * _e1466);
-                                                    let _e1474 = select(0f, _e1472, (_e1472 > 0f));
-                                                    let _e1476 = ((_e1453 - _e1454) * _e1466);
-                                                    let _e1478 = select(0f, _e1476, (_e1476 > 0f));
-                                                    let _e1480 = ((_e1470 + _e1474) + _e1478);
-                                                    if (_e1480 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e951 = phi_1660_;
+                                                let _e959 = (_e951[0][2] - _e604);
+                                                let _e962 = (((_e951[0][0] - _e471) * _e643) - (_e959 * _e511));
+                                                let _e965 = (((_e951[0][1] - _e538) * _e643) - (_e959 * _e577));
+                                                let _e972 = (_e951[1][2] - _e604);
+                                                let _e975 = (((_e951[1][0] - _e471) * _e643) - (_e972 * _e511));
+                                                let _e978 = (((_e951[1][1] - _e538) * _e643) - (_e972 * _e577));
+                                                let _e985 = (_e951[2][2] - _e604);
+                                                let _e988 = (((_e951[2][0] - _e471) * _e643) - (_e985 * _e511));
+                                                let _e991 = (((_e951[2][1] - _e538) * _e643) - (_e985 * _e577));
+                                                let _e992 = (_e988 * _e978);
+                                                let _e993 = (_e991 * _e975);
+                                                let _e994 = (_e962 * _e991);
+                                                let _e995 = (_e965 * _e988);
+                                                let _e996 = (_e975 * _e965);
+                                                let _e997 = (_e978 * _e962);
+                                                let _e1002 = (((_e992 >= _e993) && (_e994 >= _e995)) && (_e996 >= _e997));
+                                                if (_e1002 || (((_e992 <= _e993) && (_e994 <= _e995)) && (_e996 <= _e997))) {
+                                                    let _e1009 = select(-1f, 1f, _e1002);
+                                                    let _e1011 = ((_e992 - _e993) * _e1009);
+                                                    let _e1013 = select(0f, _e1011, (_e1011 > 0f));
+                                                    let _e1015 = ((_e994 - _e995) * _e1009);
+                                                    let _e1017 = select(0f, _e1015, (_e1015 > 0f));
+                                                    let _e1019 = ((_e996 - _e997) * _e1009);
+                                                    let _e1021 = select(0f, _e1019, (_e1019 > 0f));
+                                                    let _e1023 = ((_e1013 + _e1017) + _e1021);
+                                                    if (_e1023 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_2544_ = type_26();
                                                         phi_2545_ = true;
                                                         phi_2546_ = false;
                                                     } else {
-                                                        let _e1483 = select(_e1432, _e1419, (_e1419 < _e1432));
-                                                        if (select(_e1445, _e1483, (_e1483 < _e1445)) > 0f) {
+                                                        let _e1026 = select(_e975, _e962, (_e962 < _e975));
+                                                        if (select(_e988, _e1026, (_e1026 < _e988)) > 0f) {
                                                             phi_1812_ = true;
                                                         } else {
-                                                            let _e1488 = select(_e1432, _e1419, (_e1419 > _e1432));
-                                                            phi_1812_ = (select(_e1445, _e1488, (_e1488 > _e1445)) < 0f);
+                                                            let _e1031 = select(_e975, _e962, (_e962 > _e975));
+                                                            phi_1812_ = (select(_e988, _e1031, (_e1031 > _e988)) < 0f);
                                                         }
-                                                        let _e1493 = phi_1812_;
-                                                        if _e1493 {
+                                                        let _e1036 = phi_1812_;
+                                                        if _e1036 {
                                                             phi_2541_ = type_26();
                                                             phi_2542_ = true;
                                                             phi_2543_ = false;
                                                         } else {
-                                                            let _e1495 = select(_e1435, _e1422, (_e1422 < _e1435));
-                                                            if (select(_e1448, _e1495, (_e1495 < _e1448)) > 0f) {
+                                                            let _e1038 = select(_e978, _e965, (_e965 < _e978));
+                                                            if (select(_e991, _e1038, (_e1038 < _e991)) > 0f) {
                                                                 phi_1841_ = true;
                                                             } else {
-                                                                let _e1500 = select(_e1435, _e1422, (_e1422 > _e1435));
-                                                                phi_1841_ = (select(_e1448, _e1500, (_e1500 > _e1448)) < 0f);
+                                                                let _e1043 = select(_e978, _e965, (_e965 > _e978));
+                                                                phi_1841_ = (select(_e991, _e1043, (_e1043 > _e991)) < 0f);
                                                             }
-                                                            let _e1505 = phi_1841_;
-                                                            if _e1505 {
+                                                            let _e1048 = phi_1841_;
+                                                            if _e1048 {
                                                                 phi_2539_ = type_26();
                                                                 phi_2540_ = false;
                                                             } else {
-                                                                let _e1507 = select(_e1408[1][0], _e1408[0][0], (_e1408[0][0] < _e1408[1][0]));
-                                                                let _e1511 = select(_e1408[1][0], _e1408[0][0], (_e1408[0][0] > _e1408[1][0]));
-                                                                let _e1515 = select(_e1408[1][1], _e1408[0][1], (_e1408[0][1] < _e1408[1][1]));
-                                                                let _e1519 = select(_e1408[1][1], _e1408[0][1], (_e1408[0][1] > _e1408[1][1]));
-                                                                let _e1523 = select(_e1408[1][2], _e1408[0][2], (_e1408[0][2] < _e1408[1][2]));
-                                                                let _e1527 = select(_e1408[1][2], _e1408[0][2], (_e1408[0][2] > _e1408[1][2]));
-                                                                let _e1532 = ((select(_e1408[2][0], _e1507, (_e1507 < _e1408[2][0])) - _e509) * _e514);
-                                                                let _e1533 = ((select(_e1408[2][0], _e1511, (_e1511 > _e1408[2][0])) - _e510) * _e514);
-                                                                let _e1536 = ((select(_e1408[2][1], _e1515, (_e1515 < _e1408[2][1])) - _e575) * _e580);
-                                                                let _e1537 = ((select(_e1408[2][1], _e1519, (_e1519 > _e1408[2][1])) - _e576) * _e580);
-                                                                let _e1540 = ((select(_e1408[2][2], _e1523, (_e1523 < _e1408[2][2])) - _e641) * _e646);
-                                                                let _e1541 = ((select(_e1408[2][2], _e1527, (_e1527 > _e1408[2][2])) - _e642) * _e646);
-                                                                let _e1543 = select(_e1541, _e1540, (_e1540 < _e1541));
-                                                                let _e1545 = select(_e1541, _e1540, (_e1540 > _e1541));
-                                                                let _e1547 = select(_e1533, _e1532, (_e1532 < _e1533));
-                                                                let _e1549 = select(_e1537, _e1536, (_e1536 < _e1537));
-                                                                let _e1551 = select(_e1549, _e1547, (_e1547 > _e1549));
-                                                                let _e1553 = select(_e1543, _e1551, (_e1551 > _e1543));
-                                                                let _e1555 = select(_e1533, _e1532, (_e1532 > _e1533));
-                                                                let _e1557 = select(_e1537, _e1536, (_e1536 > _e1537));
-                                                                let _e1559 = select(_e1557, _e1555, (_e1555 < _e1557));
-                                                                let _e1561 = select(_e1545, _e1559, (_e1559 < _e1545));
-                                                                let _e1562 = -(_e1543);
-                                                                let _e1568 = select(_e757, _e1553, (_e1553 > _e757));
-                                                                if (_e1568 > (_e1561 + (select(_e1562, _e1545, (_e1545 > _e1562)) * 0.0000019073523f))) {
+                                                                let _e1050 = select(_e951[1][0], _e951[0][0], (_e951[0][0] < _e951[1][0]));
+                                                                let _e1054 = select(_e951[1][0], _e951[0][0], (_e951[0][0] > _e951[1][0]));
+                                                                let _e1058 = select(_e951[1][1], _e951[0][1], (_e951[0][1] < _e951[1][1]));
+                                                                let _e1062 = select(_e951[1][1], _e951[0][1], (_e951[0][1] > _e951[1][1]));
+                                                                let _e1066 = select(_e951[1][2], _e951[0][2], (_e951[0][2] < _e951[1][2]));
+                                                                let _e1070 = select(_e951[1][2], _e951[0][2], (_e951[0][2] > _e951[1][2]));
+                                                                let _e1075 = ((select(_e951[2][0], _e1050, (_e1050 < _e951[2][0])) - _e509) * _e514);
+                                                                let _e1076 = ((select(_e951[2][0], _e1054, (_e1054 > _e951[2][0])) - _e510) * _e514);
+                                                                let _e1079 = ((select(_e951[2][1], _e1058, (_e1058 < _e951[2][1])) - _e575) * _e580);
+                                                                let _e1080 = ((select(_e951[2][1], _e1062, (_e1062 > _e951[2][1])) - _e576) * _e580);
+                                                                let _e1083 = ((select(_e951[2][2], _e1066, (_e1066 < _e951[2][2])) - _e641) * _e646);
+                                                                let _e1084 = ((select(_e951[2][2], _e1070, (_e1070 > _e951[2][2])) - _e642) * _e646);
+                                                                let _e1086 = select(_e1084, _e1083, (_e1083 < _e1084));
+                                                                let _e1088 = select(_e1084, _e1083, (_e1083 > _e1084));
+                                                                let _e1090 = select(_e1076, _e1075, (_e1075 < _e1076));
+                                                                let _e1092 = select(_e1080, _e1079, (_e1079 < _e1080));
+                                                                let _e1094 = select(_e1092, _e1090, (_e1090 > _e1092));
+                                                                let _e1096 = select(_e1086, _e1094, (_e1094 > _e1086));
+                                                                let _e1098 = select(_e1076, _e1075, (_e1075 > _e1076));
+                                                                let _e1100 = select(_e1080, _e1079, (_e1079 > _e1080));
+                                                                let _e1102 = select(_e1100, _e1098, (_e1098 < _e1100));
+                                                                let _e1104 = select(_e1088, _e1102, (_e1102 < _e1088));
+                                                                let _e1105 = -(_e1086);
+                                                                let _e1111 = select(_e757, _e1096, (_e1096 > _e757));
+                                                                if (_e1111 > (_e1104 + (select(_e1105, _e1088, (_e1088 > _e1105)) * 0.0000019073523f))) {
                                                                     phi_2534_ = type_26();
                                                                     phi_2535_ = true;
                                                                 } else {
-                                                                    let _e1570 = (_e1568 > _e1312.member_1);
-                                                                    if _e1570 {
+                                                                    let _e1113 = (_e1111 > _e855.member_1);
+                                                                    if _e1113 {
                                                                         phi_2533_ = type_26();
                                                                     } else {
-                                                                        let _e1571 = vec3<f32>(_e1408[0][0], _e1408[0][1], _e1408[0][2]);
-                                                                        let _e1572 = vec3<f32>(_e1408[1][0], _e1408[1][1], _e1408[1][2]);
-                                                                        let _e1573 = vec3<f32>(_e1408[2][0], _e1408[2][1], _e1408[2][2]);
-                                                                        let _e1574 = (_e1408[1][0] - _e1408[0][0]);
-                                                                        let _e1575 = (_e1408[1][1] - _e1408[0][1]);
-                                                                        let _e1576 = (_e1408[1][2] - _e1408[0][2]);
-                                                                        let _e1577 = vec3<f32>(_e1574, _e1575, _e1576);
-                                                                        let _e1578 = (_e1408[2][0] - _e1408[1][0]);
-                                                                        let _e1579 = (_e1408[2][1] - _e1408[1][1]);
-                                                                        let _e1580 = (_e1408[2][2] - _e1408[1][2]);
-                                                                        let _e1581 = vec3<f32>(_e1578, _e1579, _e1580);
-                                                                        let _e1582 = (_e1408[0][0] - _e1408[2][0]);
-                                                                        let _e1583 = (_e1408[0][1] - _e1408[2][1]);
-                                                                        let _e1584 = (_e1408[0][2] - _e1408[2][2]);
-                                                                        let _e1585 = vec3<f32>(_e1582, _e1583, _e1584);
-                                                                        let _e1588 = bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u));
-                                                                        let _e1591 = bitcast<f32>((bitcast<u32>(_e1575) & 2147483647u));
-                                                                        let _e1593 = select(_e1591, _e1588, (_e1588 > _e1591));
-                                                                        let _e1596 = bitcast<f32>((bitcast<u32>(_e1576) & 2147483647u));
-                                                                        let _e1598 = select(_e1596, _e1593, (_e1593 > _e1596));
-                                                                        let _e1601 = bitcast<f32>((bitcast<u32>(_e1578) & 2147483647u));
-                                                                        let _e1604 = bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u));
-                                                                        let _e1606 = select(_e1604, _e1601, (_e1601 > _e1604));
-                                                                        let _e1609 = bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u));
-                                                                        let _e1611 = select(_e1609, _e1606, (_e1606 > _e1609));
-                                                                        let _e1614 = bitcast<f32>((bitcast<u32>(_e1582) & 2147483647u));
-                                                                        let _e1617 = bitcast<f32>((bitcast<u32>(_e1583) & 2147483647u));
-                                                                        let _e1619 = select(_e1617, _e1614, (_e1614 > _e1617));
-                                                                        let _e1622 = bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u));
-                                                                        let _e1624 = select(_e1622, _e1619, (_e1619 > _e1622));
-                                                                        let _e1626 = select(_e1611, _e1598, (_e1598 > _e1611));
-                                                                        let _e1628 = select(_e1624, _e1626, (_e1626 > _e1624));
-                                                                        if (_e1598 == _e1628) {
-                                                                            phi_2260_ = _e1435;
-                                                                            phi_2261_ = _e1432;
-                                                                            phi_2262_ = _e1422;
-                                                                            phi_2263_ = _e1419;
-                                                                            phi_2264_ = _e1571;
-                                                                            phi_2265_ = _e1585;
-                                                                            phi_2266_ = _e1581;
-                                                                            phi_2267_ = _e1577;
+                                                                        let _e1114 = vec3<f32>(_e951[0][0], _e951[0][1], _e951[0][2]);
+                                                                        let _e1115 = vec3<f32>(_e951[1][0], _e951[1][1], _e951[1][2]);
+                                                                        let _e1116 = vec3<f32>(_e951[2][0], _e951[2][1], _e951[2][2]);
+                                                                        let _e1117 = (_e951[1][0] - _e951[0][0]);
+                                                                        let _e1118 = (_e951[1][1] - _e951[0][1]);
+                                                                        let _e1119 = (_e951[1][2] - _e951[0][2]);
+                                                                        let _e1120 = vec3<f32>(_e1117, _e1118, _e1119);
+                                                                        let _e1121 = (_e951[2][0] - _e951[1][0]);
+                                                                        let _e1122 = (_e951[2][1] - _e951[1][1]);
+                                                                        let _e1123 = (_e951[2][2] - _e951[1][2]);
+                                                                        let _e1124 = vec3<f32>(_e1121, _e1122, _e1123);
+                                                                        let _e1125 = (_e951[0][0] - _e951[2][0]);
+                                                                        let _e1126 = (_e951[0][1] - _e951[2][1]);
+                                                                        let _e1127 = (_e951[0][2] - _e951[2][2]);
+                                                                        let _e1128 = vec3<f32>(_e1125, _e1126, _e1127);
+                                                                        let _e1131 = bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u));
+                                                                        let _e1134 = bitcast<f32>((bitcast<u32>(_e1118) & 2147483647u));
+                                                                        let _e1136 = select(_e1134, _e1131, (_e1131 > _e1134));
+                                                                        let _e1139 = bitcast<f32>((bitcast<u32>(_e1119) & 2147483647u));
+                                                                        let _e1141 = select(_e1139, _e1136, (_e1136 > _e1139));
+                                                                        let _e1144 = bitcast<f32>((bitcast<u32>(_e1121) & 2147483647u));
+                                                                        let _e1147 = bitcast<f32>((bitcast<u32>(_e1122) & 2147483647u));
+                                                                        let _e1149 = select(_e1147, _e1144, (_e1144 > _e1147));
+                                                                        let _e1152 = bitcast<f32>((bitcast<u32>(_e1123) & 2147483647u));
+                                                                        let _e1154 = select(_e1152, _e1149, (_e1149 > _e1152));
+                                                                        let _e1157 = bitcast<f32>((bitcast<u32>(_e1125) & 2147483647u));
+                                                                        let _e1160 = bitcast<f32>((bitcast<u32>(_e1126) & 2147483647u));
+                                                                        let _e1162 = select(_e1160, _e1157, (_e1157 > _e1160));
+                                                                        let _e1165 = bitcast<f32>((bitcast<u32>(_e1127) & 2147483647u));
+                                                                        let _e1167 = select(_e1165, _e1162, (_e1162 > _e1165));
+                                                                        let _e1169 = select(_e1154, _e1141, (_e1141 > _e1154));
+                                                                        let _e1171 = select(_e1167, _e1169, (_e1169 > _e1167));
+                                                                        if (_e1141 == _e1171) {
+                                                                            phi_2260_ = _e978;
+                                                                            phi_2261_ = _e975;
+                                                                            phi_2262_ = _e965;
+                                                                            phi_2263_ = _e962;
+                                                                            phi_2264_ = _e1114;
+                                                                            phi_2265_ = _e1128;
+                                                                            phi_2266_ = _e1124;
+                                                                            phi_2267_ = _e1120;
                                                                         } else {
-                                                                            let _e1630 = (_e1611 == _e1628);
-                                                                            let _e1635 = vec3(_e1630);
-                                                                            phi_2260_ = select(_e1422, _e1448, _e1630);
-                                                                            phi_2261_ = select(_e1419, _e1445, _e1630);
-                                                                            phi_2262_ = select(_e1448, _e1435, _e1630);
-                                                                            phi_2263_ = select(_e1445, _e1432, _e1630);
-                                                                            phi_2264_ = select(_e1573, _e1572, _e1635);
-                                                                            phi_2265_ = select(_e1581, _e1577, _e1635);
-                                                                            phi_2266_ = select(_e1577, _e1585, _e1635);
-                                                                            phi_2267_ = select(_e1585, _e1581, _e1635);
+                                                                            let _e1173 = (_e1154 == _e1171);
+                                                                            let _e1178 = vec3(_e1173);
+                                                                            phi_2260_ = select(_e965, _e991, _e1173);
+                                                                            phi_2261_ = select(_e962, _e988, _e1173);
+                                                                            phi_2262_ = select(_e991, _e978, _e1173);
+                                                                            phi_2263_ = select(_e988, _e975, _e1173);
+                                                                            phi_2264_ = select(_e1116, _e1115, _e1178);
+                                                                            phi_2265_ = select(_e1124, _e1120, _e1178);
+                                                                            phi_2266_ = select(_e1120, _e1128, _e1178);
+                                                                            phi_2267_ = select(_e1128, _e1124, _e1178);
                                                                         }
-                                                                        let _e1641 = phi_2260_;
-                                                                        let _e1643 = phi_2261_;
-                                                                        let _e1645 = phi_2262_;
-                                                                        let _e1647 = phi_2263_;
-                                                                        let _e1649 = phi_2264_;
-                                                                        let _e1651 = phi_2265_;
-                                                                        let _e1653 = phi_2266_;
-                                                                        let _e1655 = phi_2267_;
-                                                                        let _e1662 = ((_e1653.y * _e1651.z) - (_e1651.y * _e1653.z));
-                                                                        let _e1667 = ((_e1653.z * _e1651.x) - (_e1651.z * _e1653.x));
-                                                                        let _e1670 = ((_e1653.x * _e1651.y) - (_e1651.x * _e1653.y));
-                                                                        if (_e1470 >= _e1474) {
-                                                                            phi_2304_ = select(true, false, (_e1470 >= _e1478));
+                                                                        let _e1184 = phi_2260_;
+                                                                        let _e1186 = phi_2261_;
+                                                                        let _e1188 = phi_2262_;
+                                                                        let _e1190 = phi_2263_;
+                                                                        let _e1192 = phi_2264_;
+                                                                        let _e1194 = phi_2265_;
+                                                                        let _e1196 = phi_2266_;
+                                                                        let _e1198 = phi_2267_;
+                                                                        let _e1205 = ((_e1196.y * _e1194.z) - (_e1194.y * _e1196.z));
+                                                                        let _e1210 = ((_e1196.z * _e1194.x) - (_e1194.z * _e1196.x));
+                                                                        let _e1213 = ((_e1196.x * _e1194.y) - (_e1194.x * _e1196.y));
+                                                                        if (_e1013 >= _e1017) {
+                                                                            phi_2304_ = select(true, false, (_e1013 >= _e1021));
                                                                         } else {
                                                                             phi_2304_ = true;
                                                                         }
-                                                                        let _e1675 = phi_2304_;
-                                                                        if _e1675 {
-                                                                            phi_2313_ = select(_e1573, _e1572, vec3((_e1474 >= _e1478)));
+                                                                        let _e1218 = phi_2304_;
+                                                                        if _e1218 {
+                                                                            phi_2313_ = select(_e1116, _e1115, vec3((_e1017 >= _e1021)));
                                                                         } else {
-                                                                            phi_2313_ = _e1571;
+                                                                            phi_2313_ = _e1114;
                                                                         }
-                                                                        let _e1680 = phi_2313_;
-                                                                        let _e1691 = (((_e1662 * (_e1680.x - _e471)) + (_e1667 * (_e1680.y - _e538))) + (_e1670 * (_e1680.z - _e604)));
-                                                                        let _e1696 = (((_e1662 * _e511) + (_e1667 * _e577)) + (_e1670 * _e643));
-                                                                        let _e1697 = (_e1643 - _e1647);
-                                                                        let _e1698 = (_e1641 - _e1645);
-                                                                        let _e1706 = (-(((_e1647 * _e1697) + (_e1645 * _e1698))) / ((_e1697 * _e1697) + (_e1698 * _e1698)));
-                                                                        let _e1708 = select(1f, _e1706, (_e1706 < 1f));
-                                                                        let _e1710 = select(0f, _e1708, (_e1708 > 0f));
-                                                                        let _e1723 = ((_e1649.x + (_e1655.x * _e1710)) - _e471);
-                                                                        let _e1724 = ((_e1649.y + (_e1655.y * _e1710)) - _e538);
-                                                                        let _e1725 = ((_e1649.z + (_e1655.z * _e1710)) - _e604);
-                                                                        let _e1726 = (_e1725 / _e643);
-                                                                        let _e1738 = bitcast<f32>((bitcast<u32>(_e1723) & 2147483647u));
-                                                                        let _e1741 = bitcast<f32>((bitcast<u32>(_e1724) & 2147483647u));
-                                                                        let _e1743 = select(_e1741, _e1738, (_e1738 > _e1741));
-                                                                        let _e1746 = bitcast<f32>((bitcast<u32>(_e1725) & 2147483647u));
-                                                                        let _e1748 = select(_e1746, _e1743, (_e1743 > _e1746));
-                                                                        let _e1754 = bitcast<f32>((bitcast<u32>(_e1662) & 2147483647u));
-                                                                        let _e1757 = bitcast<f32>((bitcast<u32>(_e1667) & 2147483647u));
-                                                                        let _e1759 = select(_e1757, _e1754, (_e1754 > _e1757));
-                                                                        let _e1762 = bitcast<f32>((bitcast<u32>(_e1670) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1662 * _e1723) + (_e1667 * _e1724)) + (_e1670 * _e1725)) - _e1691)) & 2147483647u)) <= ((0.0000009536743f * select(_e1628, _e1748, (_e1748 > _e1628))) * select(_e1762, _e1759, (_e1759 > _e1762)))) {
-                                                                            let _e1772 = bitcast<f32>((bitcast<u32>(_e1653.x) & 2147483647u));
-                                                                            let _e1775 = bitcast<f32>((bitcast<u32>(_e1653.y) & 2147483647u));
-                                                                            let _e1777 = select(_e1775, _e1772, (_e1772 > _e1775));
-                                                                            let _e1780 = bitcast<f32>((bitcast<u32>(_e1653.z) & 2147483647u));
-                                                                            let _e1786 = bitcast<f32>((bitcast<u32>(_e1651.x) & 2147483647u));
-                                                                            let _e1789 = bitcast<f32>((bitcast<u32>(_e1651.y) & 2147483647u));
-                                                                            let _e1791 = select(_e1789, _e1786, (_e1786 > _e1789));
-                                                                            let _e1794 = bitcast<f32>((bitcast<u32>(_e1651.z) & 2147483647u));
-                                                                            let _e1798 = (bitcast<f32>((bitcast<u32>(_e1696) & 2147483647u)) > ((0.0000038146973f * select(_e1780, _e1777, (_e1777 > _e1780))) * select(_e1794, _e1791, (_e1791 > _e1794))));
-                                                                            if _e1798 {
-                                                                                phi_2478_ = (_e1691 / _e1696);
+                                                                        let _e1223 = phi_2313_;
+                                                                        let _e1234 = (((_e1205 * (_e1223.x - _e471)) + (_e1210 * (_e1223.y - _e538))) + (_e1213 * (_e1223.z - _e604)));
+                                                                        let _e1239 = (((_e1205 * _e511) + (_e1210 * _e577)) + (_e1213 * _e643));
+                                                                        let _e1240 = (_e1186 - _e1190);
+                                                                        let _e1241 = (_e1184 - _e1188);
+                                                                        let _e1249 = (-(((_e1190 * _e1240) + (_e1188 * _e1241))) / ((_e1240 * _e1240) + (_e1241 * _e1241)));
+                                                                        let _e1251 = select(1f, _e1249, (_e1249 < 1f));
+                                                                        let _e1253 = select(0f, _e1251, (_e1251 > 0f));
+                                                                        let _e1266 = ((_e1192.x + (_e1198.x * _e1253)) - _e471);
+                                                                        let _e1267 = ((_e1192.y + (_e1198.y * _e1253)) - _e538);
+                                                                        let _e1268 = ((_e1192.z + (_e1198.z * _e1253)) - _e604);
+                                                                        let _e1269 = (_e1268 / _e643);
+                                                                        let _e1281 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
+                                                                        let _e1284 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
+                                                                        let _e1286 = select(_e1284, _e1281, (_e1281 > _e1284));
+                                                                        let _e1289 = bitcast<f32>((bitcast<u32>(_e1268) & 2147483647u));
+                                                                        let _e1291 = select(_e1289, _e1286, (_e1286 > _e1289));
+                                                                        let _e1297 = bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u));
+                                                                        let _e1300 = bitcast<f32>((bitcast<u32>(_e1210) & 2147483647u));
+                                                                        let _e1302 = select(_e1300, _e1297, (_e1297 > _e1300));
+                                                                        let _e1305 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1205 * _e1266) + (_e1210 * _e1267)) + (_e1213 * _e1268)) - _e1234)) & 2147483647u)) <= ((0.0000009536743f * select(_e1171, _e1291, (_e1291 > _e1171))) * select(_e1305, _e1302, (_e1302 > _e1305)))) {
+                                                                            let _e1315 = bitcast<f32>((bitcast<u32>(_e1196.x) & 2147483647u));
+                                                                            let _e1318 = bitcast<f32>((bitcast<u32>(_e1196.y) & 2147483647u));
+                                                                            let _e1320 = select(_e1318, _e1315, (_e1315 > _e1318));
+                                                                            let _e1323 = bitcast<f32>((bitcast<u32>(_e1196.z) & 2147483647u));
+                                                                            let _e1329 = bitcast<f32>((bitcast<u32>(_e1194.x) & 2147483647u));
+                                                                            let _e1332 = bitcast<f32>((bitcast<u32>(_e1194.y) & 2147483647u));
+                                                                            let _e1334 = select(_e1332, _e1329, (_e1329 > _e1332));
+                                                                            let _e1337 = bitcast<f32>((bitcast<u32>(_e1194.z) & 2147483647u));
+                                                                            let _e1341 = (bitcast<f32>((bitcast<u32>(_e1239) & 2147483647u)) > ((0.0000038146973f * select(_e1323, _e1320, (_e1320 > _e1323))) * select(_e1337, _e1334, (_e1334 > _e1337))));
+                                                                            if _e1341 {
+                                                                                phi_2478_ = (_e1234 / _e1239);
                                                                             } else {
                                                                                 phi_2478_ = f32();
                                                                             }
-                                                                            let _e1801 = phi_2478_;
-                                                                            phi_2480_ = _e1801;
-                                                                            phi_2481_ = select(true, false, _e1798);
+                                                                            let _e1344 = phi_2478_;
+                                                                            phi_2480_ = _e1344;
+                                                                            phi_2481_ = select(true, false, _e1341);
                                                                         } else {
                                                                             phi_2480_ = f32();
                                                                             phi_2481_ = true;
                                                                         }
-                                                                        let _e1804 = phi_2480_;
-                                                                        let _e1806 = phi_2481_;
-                                                                        if _e1806 {
-                                                                            let _e1814 = (((_e1662 * (_e1723 - (_e511 * _e1726))) + (_e1667 * (_e1724 - (_e577 * _e1726)))) / _e1696);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u)) <= _e1628) {
-                                                                                phi_2501_ = (_e1726 + _e1814);
+                                                                        let _e1347 = phi_2480_;
+                                                                        let _e1349 = phi_2481_;
+                                                                        if _e1349 {
+                                                                            let _e1357 = (((_e1205 * (_e1266 - (_e511 * _e1269))) + (_e1210 * (_e1267 - (_e577 * _e1269)))) / _e1239);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1357) & 2147483647u)) <= _e1171) {
+                                                                                phi_2501_ = (_e1269 + _e1357);
                                                                             } else {
-                                                                                phi_2501_ = _e1726;
+                                                                                phi_2501_ = _e1269;
                                                                             }
-                                                                            let _e1821 = phi_2501_;
-                                                                            phi_2502_ = _e1821;
+                                                                            let _e1364 = phi_2501_;
+                                                                            phi_2502_ = _e1364;
                                                                         } else {
-                                                                            phi_2502_ = _e1804;
+                                                                            phi_2502_ = _e1347;
                                                                         }
-                                                                        let _e1823 = phi_2502_;
-                                                                        let _e1825 = select(_e1561, _e1823, (_e1823 < _e1561));
-                                                                        let _e1827 = select(_e1553, _e1825, (_e1825 > _e1553));
-                                                                        if (_e1827 >= _e757) {
-                                                                            let _e1829 = (_e1827 <= _e1312.member_1);
-                                                                            if _e1829 {
-                                                                                let _e1830 = (1f / _e1480);
-                                                                                phi_2525_ = type_26(_e1827, (_e1474 * _e1830), (_e1478 * _e1830), _e1341);
+                                                                        let _e1366 = phi_2502_;
+                                                                        let _e1368 = select(_e1104, _e1366, (_e1366 < _e1104));
+                                                                        let _e1370 = select(_e1096, _e1368, (_e1368 > _e1096));
+                                                                        if (_e1370 >= _e757) {
+                                                                            let _e1372 = (_e1370 <= _e855.member_1);
+                                                                            if _e1372 {
+                                                                                let _e1373 = (1f / _e1023);
+                                                                                phi_2525_ = type_26(_e1370, (_e1017 * _e1373), (_e1021 * _e1373), _e884);
                                                                             } else {
                                                                                 phi_2525_ = type_26();
                                                                             }
-                                                                            let _e1835 = phi_2525_;
-                                                                            phi_2527_ = _e1835;
-                                                                            phi_2528_ = select(true, false, _e1829);
+                                                                            let _e1378 = phi_2525_;
+                                                                            phi_2527_ = _e1378;
+                                                                            phi_2528_ = select(true, false, _e1372);
                                                                         } else {
                                                                             phi_2527_ = type_26();
                                                                             phi_2528_ = true;
                                                                         }
-                                                                        let _e1838 = phi_2527_;
-                                                                        let _e1840 = phi_2528_;
-                                                                        if _e1840 {
+                                                                        let _e1381 = phi_2527_;
+                                                                        let _e1383 = phi_2528_;
+                                                                        if _e1383 {
                                                                             phi_2532_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2532_ = _e1838;
+                                                                            phi_2532_ = _e1381;
                                                                         }
-                                                                        let _e1842 = phi_2532_;
-                                                                        phi_2533_ = _e1842;
+                                                                        let _e1385 = phi_2532_;
+                                                                        phi_2533_ = _e1385;
                                                                     }
-                                                                    let _e1844 = phi_2533_;
-                                                                    phi_2534_ = _e1844;
-                                                                    phi_2535_ = _e1570;
+                                                                    let _e1387 = phi_2533_;
+                                                                    phi_2534_ = _e1387;
+                                                                    phi_2535_ = _e1113;
                                                                 }
-                                                                let _e1846 = phi_2534_;
-                                                                let _e1848 = phi_2535_;
-                                                                phi_2539_ = _e1846;
-                                                                phi_2540_ = _e1848;
+                                                                let _e1389 = phi_2534_;
+                                                                let _e1391 = phi_2535_;
+                                                                phi_2539_ = _e1389;
+                                                                phi_2540_ = _e1391;
                                                             }
-                                                            let _e1850 = phi_2539_;
-                                                            let _e1852 = phi_2540_;
-                                                            phi_2541_ = _e1850;
-                                                            phi_2542_ = _e1505;
-                                                            phi_2543_ = _e1852;
+                                                            let _e1393 = phi_2539_;
+                                                            let _e1395 = phi_2540_;
+                                                            phi_2541_ = _e1393;
+                                                            phi_2542_ = _e1048;
+                                                            phi_2543_ = _e1395;
                                                         }
-                                                        let _e1854 = phi_2541_;
-                                                        let _e1856 = phi_2542_;
-                                                        let _e1858 = phi_2543_;
-                                                        phi_2544_ = _e1854;
-                                                        phi_2545_ = _e1856;
-                                                        phi_2546_ = _e1858;
+                                                        let _e1397 = phi_2541_;
+                                                        let _e1399 = phi_2542_;
+                                                        let _e1401 = phi_2543_;
+                                                        phi_2544_ = _e1397;
+                                                        phi_2545_ = _e1399;
+                                                        phi_2546_ = _e1401;
                                                     }
-                                                    let _e1860 = phi_2544_;
-                                                    let _e1862 = phi_2545_;
-                                                    let _e1864 = phi_2546_;
-                                                    phi_2554_ = _e1860;
-                                                    phi_2555_ = select(_e1864, true, _e1862);
+                                                    let _e1403 = phi_2544_;
+                                                    let _e1405 = phi_2545_;
+                                                    let _e1407 = phi_2546_;
+                                                    phi_2554_ = _e1403;
+                                                    phi_2555_ = select(_e1407, true, _e1405);
                                                 } else {
                                                     phi_2554_ = type_26();
                                                     phi_2555_ = true;
                                                 }
-                                                let _e1867 = phi_2554_;
-                                                let _e1869 = phi_2555_;
-                                                if _e1869 {
+                                                let _e1410 = phi_2554_;
+                                                let _e1412 = phi_2555_;
+                                                if _e1412 {
                                                     phi_2559_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2559_ = _e1867;
+                                                    phi_2559_ = _e1410;
                                                 }
-                                                let _e1871 = phi_2559_;
-                                                if (_e1871.member_3 != 4294967295u) {
-                                                    if (_e1341 == _e170) {
+                                                let _e1414 = phi_2559_;
+                                                if (_e1414.member_3 != 4294967295u) {
+                                                    if (_e884 == _e170) {
                                                         phi_2894_ = false;
                                                     } else {
-                                                        let _e1875 = (_e1341 < arrayLength((&global_5.member)));
-                                                        if _e1875 {
-                                                            if _e1875 {
+                                                        let _e1418 = (_e884 < arrayLength((&global_5.member)));
+                                                        if _e1418 {
+                                                            if _e1418 {
                                                             } else {
-                                                                phi_4603_ = true;
+                                                                phi_4607_ = true;
                                                                 break;
                                                             }
-                                                            let _e1877 = global_5.member[_e1341];
-                                                            phi_2582_ = _e1877;
+                                                            let _e1420 = global_5.member[_e884];
+                                                            phi_2582_ = _e1420;
                                                         } else {
                                                             phi_2582_ = 4294967295u;
                                                         }
-                                                        let _e1879 = phi_2582_;
-                                                        let _e1880 = (_e1879 < arrayLength((&global_6.member)));
-                                                        if _e1880 {
-                                                            if _e1880 {
+                                                        let _e1422 = phi_2582_;
+                                                        let _e1423 = (_e1422 < arrayLength((&global_6.member)));
+                                                        if _e1423 {
+                                                            if _e1423 {
                                                             } else {
-                                                                phi_4603_ = true;
+                                                                phi_4607_ = true;
                                                                 break;
                                                             }
-                                                            let _e1882 = global_6.member[_e1879];
-                                                            phi_2596_ = _e1882;
+                                                            let _e1425 = global_6.member[_e1422];
+                                                            phi_2596_ = _e1425;
                                                         } else {
                                                             phi_2596_ = 0i;
                                                         }
-                                                        let _e1884 = phi_2596_;
-                                                        let _e1885 = (_e1884 == 0i);
-                                                        if _e1885 {
+                                                        let _e1427 = phi_2596_;
+                                                        let _e1428 = (_e1427 == 0i);
+                                                        if _e1428 {
                                                             phi_2893_ = true;
                                                         } else {
                                                             if _e448 {
-                                                                phi_2619_ = vec3<f32>(_e1408[0][0], _e1408[0][1], _e1408[0][2]);
+                                                                phi_2619_ = vec3<f32>(_e951[0][0], _e951[0][1], _e951[0][2]);
                                                             } else {
                                                                 if (_e424 == 1u) {
-                                                                    phi_2618_ = vec3<f32>(_e1408[0][2], _e1408[0][0], _e1408[0][1]);
+                                                                    phi_2618_ = vec3<f32>(_e951[0][2], _e951[0][0], _e951[0][1]);
                                                                 } else {
-                                                                    phi_2618_ = vec3<f32>(_e1408[0][1], _e1408[0][2], _e1408[0][0]);
+                                                                    phi_2618_ = vec3<f32>(_e951[0][1], _e951[0][2], _e951[0][0]);
                                                                 }
-                                                                let _e1890 = phi_2618_;
-                                                                phi_2619_ = _e1890;
+                                                                let _e1433 = phi_2618_;
+                                                                phi_2619_ = _e1433;
                                                             }
-                                                            let _e1893 = phi_2619_;
+                                                            let _e1436 = phi_2619_;
                                                             if _e448 {
-                                                                phi_2638_ = vec3<f32>(_e1408[1][0], _e1408[1][1], _e1408[1][2]);
+                                                                phi_2638_ = vec3<f32>(_e951[1][0], _e951[1][1], _e951[1][2]);
                                                             } else {
                                                                 if (_e424 == 1u) {
-                                                                    phi_2637_ = vec3<f32>(_e1408[1][2], _e1408[1][0], _e1408[1][1]);
+                                                                    phi_2637_ = vec3<f32>(_e951[1][2], _e951[1][0], _e951[1][1]);
                                                                 } else {
-                                                                    phi_2637_ = vec3<f32>(_e1408[1][1], _e1408[1][2], _e1408[1][0]);
+                                                                    phi_2637_ = vec3<f32>(_e951[1][1], _e951[1][2], _e951[1][0]);
                                                                 }
-                                                                let _e1898 = phi_2637_;
-                                                                phi_2638_ = _e1898;
+                                                                let _e1441 = phi_2637_;
+                                                                phi_2638_ = _e1441;
                                                             }
-                                                            let _e1901 = phi_2638_;
+                                                            let _e1444 = phi_2638_;
                                                             if _e448 {
-                                                                phi_2657_ = vec3<f32>(_e1408[2][0], _e1408[2][1], _e1408[2][2]);
+                                                                phi_2657_ = vec3<f32>(_e951[2][0], _e951[2][1], _e951[2][2]);
                                                             } else {
                                                                 if (_e424 == 1u) {
-                                                                    phi_2656_ = vec3<f32>(_e1408[2][2], _e1408[2][0], _e1408[2][1]);
+                                                                    phi_2656_ = vec3<f32>(_e951[2][2], _e951[2][0], _e951[2][1]);
                                                                 } else {
-                                                                    phi_2656_ = vec3<f32>(_e1408[2][1], _e1408[2][2], _e1408[2][0]);
+                                                                    phi_2656_ = vec3<f32>(_e951[2][1], _e951[2][2], _e951[2][0]);
                                                                 }
-                                                                let _e1906 = phi_2656_;
-                                                                phi_2657_ = _e1906;
+                                                                let _e1449 = phi_2656_;
+                                                                phi_2657_ = _e1449;
                                                             }
-                                                            let _e1909 = phi_2657_;
-                                                            let _e1912 = (_e1901.x - _e1893.x);
-                                                            let _e1915 = (_e1901.y - _e1893.y);
-                                                            let _e1918 = (_e1901.z - _e1893.z);
-                                                            let _e1920 = (_e1909.x - _e1893.x);
-                                                            let _e1922 = (_e1909.y - _e1893.y);
-                                                            let _e1924 = (_e1909.z - _e1893.z);
+                                                            let _e1452 = phi_2657_;
+                                                            let _e1455 = (_e1444.x - _e1436.x);
+                                                            let _e1458 = (_e1444.y - _e1436.y);
+                                                            let _e1461 = (_e1444.z - _e1436.z);
+                                                            let _e1463 = (_e1452.x - _e1436.x);
+                                                            let _e1465 = (_e1452.y - _e1436.y);
+                                                            let _e1467 = (_e1452.z - _e1436.z);
                                                             if (_e302.member_1 == 1u) {
-                                                                phi_2693_ = (vec3<f32>(_e302.member[0], _e302.member[1], _e302.member[2]) - _e1893);
+                                                                phi_2693_ = (vec3<f32>(_e302.member[0], _e302.member[1], _e302.member[2]) - _e1436);
                                                             } else {
                                                                 phi_2693_ = vec3<f32>(_e302.member[0], _e302.member[1], _e302.member[2]);
                                                             }
-                                                            let _e1939 = phi_2693_;
-                                                            let _e1945 = bitcast<f32>((bitcast<u32>((_e1912 * _e1922)) ^ _e302.member_3[0]));
-                                                            let _e1949 = bitcast<f32>((bitcast<u32>((_e1915 * _e1920)) ^ _e302.member_3[0]));
-                                                            let _e1953 = bitcast<f32>((bitcast<u32>((_e1915 * _e1924)) ^ _e302.member_3[0]));
-                                                            let _e1957 = bitcast<f32>((bitcast<u32>((_e1918 * _e1922)) ^ _e302.member_3[0]));
-                                                            let _e1961 = bitcast<f32>((bitcast<u32>((_e1918 * _e1920)) ^ _e302.member_3[0]));
-                                                            let _e1965 = bitcast<f32>((bitcast<u32>((_e1912 * _e1924)) ^ _e302.member_3[0]));
-                                                            let _e1966 = (_e1953 - _e1957);
-                                                            let _e1967 = (_e1961 - _e1965);
-                                                            let _e1968 = (_e1945 - _e1949);
-                                                            let _e1992 = (bitcast<f32>((bitcast<u32>(_e1953) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1957) & 2147483647u)));
-                                                            let _e1999 = (bitcast<f32>((bitcast<u32>(_e1961) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1965) & 2147483647u)));
-                                                            let _e2006 = (bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u)));
+                                                            let _e1482 = phi_2693_;
+                                                            let _e1488 = bitcast<f32>((bitcast<u32>((_e1455 * _e1465)) ^ _e302.member_3[0]));
+                                                            let _e1492 = bitcast<f32>((bitcast<u32>((_e1458 * _e1463)) ^ _e302.member_3[0]));
+                                                            let _e1496 = bitcast<f32>((bitcast<u32>((_e1458 * _e1467)) ^ _e302.member_3[0]));
+                                                            let _e1500 = bitcast<f32>((bitcast<u32>((_e1461 * _e1465)) ^ _e302.member_3[0]));
+                                                            let _e1504 = bitcast<f32>((bitcast<u32>((_e1461 * _e1463)) ^ _e302.member_3[0]));
+                                                            let _e1508 = bitcast<f32>((bitcast<u32>((_e1455 * _e1467)) ^ _e302.member_3[0]));
+                                                            let _e1509 = (_e1496 - _e1500);
+                                                            let _e1510 = (_e1504 - _e1508);
+                                                            let _e1511 = (_e1488 - _e1492);
+                                                            let _e1535 = (bitcast<f32>((bitcast<u32>(_e1496) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1500) & 2147483647u)));
+                                                            let _e1542 = (bitcast<f32>((bitcast<u32>(_e1504) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1508) & 2147483647u)));
+                                                            let _e1549 = (bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1492) & 2147483647u)));
                                                             if (_e302.member_2 == 0f) {
                                                                 phi_2875_ = 0f;
                                                             } else {
-                                                                let _e2036 = bitcast<f32>((bitcast<u32>(_e1966) & 2147483647u));
-                                                                let _e2039 = bitcast<f32>((bitcast<u32>(_e1967) & 2147483647u));
-                                                                let _e2042 = bitcast<f32>((bitcast<u32>(_e1968) & 2147483647u));
-                                                                let _e2044 = select(_e2042, _e2039, (_e2039 > _e2042));
-                                                                let _e2048 = select(_e2042, _e2039, (_e2039 < _e2042));
-                                                                let _e2052 = select(_e2039, _e2036, (_e2036 < _e2039));
-                                                                let _e2054 = select(_e2039, _e2036, (_e2036 > _e2039));
-                                                                let _e2056 = select(_e2042, _e2054, (_e2054 < _e2042));
-                                                                phi_2875_ = bitcast<f32>((bitcast<u32>((_e302.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2044, _e2036, (_e2036 > _e2044)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2056, _e2052, (_e2052 > _e2056)))) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2048, _e2036, (_e2036 < _e2048)))) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1992 + _e1999) + _e2006))) ^ _e302.member_3[0]))) * 1.0000005f)) ^ _e302.member_3[0])))) ^ _e302.member_3[0]));
+                                                                let _e1579 = bitcast<f32>((bitcast<u32>(_e1509) & 2147483647u));
+                                                                let _e1582 = bitcast<f32>((bitcast<u32>(_e1510) & 2147483647u));
+                                                                let _e1585 = bitcast<f32>((bitcast<u32>(_e1511) & 2147483647u));
+                                                                let _e1587 = select(_e1585, _e1582, (_e1582 > _e1585));
+                                                                let _e1591 = select(_e1585, _e1582, (_e1582 < _e1585));
+                                                                let _e1595 = select(_e1582, _e1579, (_e1579 < _e1582));
+                                                                let _e1597 = select(_e1582, _e1579, (_e1579 > _e1582));
+                                                                let _e1599 = select(_e1585, _e1597, (_e1597 < _e1585));
+                                                                phi_2875_ = bitcast<f32>((bitcast<u32>((_e302.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1587, _e1579, (_e1579 > _e1587)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1599, _e1595, (_e1595 > _e1599)))) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1591, _e1579, (_e1579 < _e1591)))) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1535 + _e1542) + _e1549))) ^ _e302.member_3[0]))) * 1.0000005f)) ^ _e302.member_3[0])))) ^ _e302.member_3[0]));
                                                             }
-                                                            let _e2083 = phi_2875_;
-                                                            phi_2893_ = (_e1885 || !(((((bitcast<f32>((bitcast<u32>((_e1939.x * _e1966)) ^ _e302.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1939.y * _e1967)) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1939.z * _e1968)) ^ _e302.member_3[0]))) * f32(-(_e1884))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.x) & 2147483647u)) * _e1992)) ^ _e302.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.y) & 2147483647u)) * _e1999)) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.z) & 2147483647u)) * _e2006)) ^ _e302.member_3[0]))))) ^ _e302.member_3[0])) + _e2083) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1626 = phi_2875_;
+                                                            phi_2893_ = (_e1428 || !(((((bitcast<f32>((bitcast<u32>((_e1482.x * _e1509)) ^ _e302.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1482.y * _e1510)) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1482.z * _e1511)) ^ _e302.member_3[0]))) * f32(-(_e1427))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1482.x) & 2147483647u)) * _e1535)) ^ _e302.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1482.y) & 2147483647u)) * _e1542)) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1482.z) & 2147483647u)) * _e1549)) ^ _e302.member_3[0]))))) ^ _e302.member_3[0])) + _e1626) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2097 = phi_2893_;
-                                                        phi_2894_ = _e2097;
+                                                        let _e1640 = phi_2893_;
+                                                        phi_2894_ = _e1640;
                                                     }
-                                                    let _e2099 = phi_2894_;
-                                                    if _e2099 {
-                                                        if (_e1871.member < _e1312.member.member) {
+                                                    let _e1642 = phi_2894_;
+                                                    if _e1642 {
+                                                        if (_e1414.member < _e855.member.member) {
                                                             phi_2914_ = true;
                                                         } else {
-                                                            if (_e1871.member == _e1312.member.member) {
-                                                                phi_2913_ = (_e1871.member_3 < _e1312.member.member_3);
+                                                            if (_e1414.member == _e855.member.member) {
+                                                                phi_2913_ = (_e1414.member_3 < _e855.member.member_3);
                                                             } else {
                                                                 phi_2913_ = false;
                                                             }
-                                                            let _e2109 = phi_2913_;
-                                                            phi_2914_ = _e2109;
+                                                            let _e1652 = phi_2913_;
+                                                            phi_2914_ = _e1652;
                                                         }
-                                                        let _e2111 = phi_2914_;
-                                                        if _e2111 {
-                                                            phi_2920_ = type_44(_e1871, _e1871.member);
+                                                        let _e1654 = phi_2914_;
+                                                        if _e1654 {
+                                                            phi_2920_ = type_44(_e1414, _e1414.member);
                                                         } else {
-                                                            phi_2920_ = _e1312;
+                                                            phi_2920_ = _e855;
                                                         }
-                                                        let _e2114 = phi_2920_;
-                                                        phi_2921_ = _e2114;
+                                                        let _e1657 = phi_2920_;
+                                                        phi_2921_ = _e1657;
                                                     } else {
-                                                        phi_2921_ = _e1312;
+                                                        phi_2921_ = _e855;
                                                     }
-                                                    let _e2116 = phi_2921_;
-                                                    phi_2922_ = _e2116;
+                                                    let _e1659 = phi_2921_;
+                                                    phi_2922_ = _e1659;
                                                 } else {
-                                                    phi_2922_ = _e1312;
+                                                    phi_2922_ = _e855;
                                                 }
-                                                let _e2118 = phi_2922_;
-                                                phi_1522_ = _e2118;
+                                                let _e1661 = phi_2922_;
+                                                phi_1522_ = _e1661;
                                             } else {
                                                 phi_1522_ = type_44();
                                             }
-                                            let _e2120 = phi_1522_;
+                                            let _e1663 = phi_1522_;
                                             continue;
                                             continuing {
-                                                phi_1521_ = _e2120;
-                                                phi_1524_ = _e1327;
-                                                phi_4603_ = _e799;
-                                                break if !(_e1333);
+                                                phi_1521_ = _e1663;
+                                                phi_1524_ = _e870;
+                                                phi_4607_ = _e799;
+                                                break if !(_e876);
                                             }
                                         }
-                                        let _e2123 = phi_4603_;
-                                        phi_4795_ = _e2123;
-                                        if _e2123 {
+                                        let _e1666 = phi_4607_;
+                                        phi_4799_ = _e1666;
+                                        if _e1666 {
                                             break;
                                         }
-                                        phi_4799_ = _e2123;
-                                        let _e2456 = local_11;
-                                        phi_4158_ = _e2456;
-                                        phi_4159_ = false;
-                                        phi_4160_ = _e842;
-                                        phi_4161_ = _e844;
+                                        phi_4885_ = _e1666;
+                                        let _e2441 = local_11;
+                                        phi_2923_ = _e2441;
+                                    } else {
+                                        phi_4885_ = _e799;
+                                        phi_2923_ = _e801;
+                                    }
+                                    let _e1668 = phi_4885_;
+                                    let _e1670 = phi_2923_;
+                                    if _e848 {
+                                        phi_4153_ = bool();
+                                        phi_4154_ = u32();
+                                        phi_4155_ = type_62();
                                     } else {
                                         if (_e844.member_1 >= _e103) {
-                                            phi_3693_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3689_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e844.member_1 < _e103) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e855 = (_e424 * 2u);
-                                            let _e857 = ((1u + _e855) % 7u);
-                                            if (_e857 < 7u) {
+                                            let _e1673 = (_e424 * 2u);
+                                            let _e1675 = ((1u + _e1673) % 7u);
+                                            if (_e1675 < 7u) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e862 = global_10.member[_e844.member_1][_e857];
-                                            let _e864 = ((_e855 + 2u) % 7u);
-                                            if (_e864 < 7u) {
+                                            let _e1680 = global_10.member[_e844.member_1][_e1675];
+                                            let _e1682 = ((_e1673 + 2u) % 7u);
+                                            if (_e1682 < 7u) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e869 = global_10.member[_e844.member_1][_e864];
-                                            let _e870 = (_e423 * 2u);
-                                            let _e872 = ((1u + _e870) % 7u);
-                                            if (_e872 < 7u) {
+                                            let _e1687 = global_10.member[_e844.member_1][_e1682];
+                                            let _e1688 = (_e423 * 2u);
+                                            let _e1690 = ((1u + _e1688) % 7u);
+                                            if (_e1690 < 7u) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e877 = global_10.member[_e844.member_1][_e872];
-                                            let _e879 = ((_e870 + 2u) % 7u);
-                                            if (_e879 < 7u) {
+                                            let _e1695 = global_10.member[_e844.member_1][_e1690];
+                                            let _e1697 = ((_e1688 + 2u) % 7u);
+                                            if (_e1697 < 7u) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e884 = global_10.member[_e844.member_1][_e879];
-                                            let _e885 = (_e425 * 2u);
-                                            let _e887 = ((1u + _e885) % 7u);
-                                            if (_e887 < 7u) {
+                                            let _e1702 = global_10.member[_e844.member_1][_e1697];
+                                            let _e1703 = (_e425 * 2u);
+                                            let _e1705 = ((1u + _e1703) % 7u);
+                                            if (_e1705 < 7u) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e892 = global_10.member[_e844.member_1][_e887];
-                                            let _e894 = ((_e885 + 2u) % 7u);
-                                            if (_e894 < 7u) {
+                                            let _e1710 = global_10.member[_e844.member_1][_e1705];
+                                            let _e1712 = ((_e1703 + 2u) % 7u);
+                                            if (_e1712 < 7u) {
                                             } else {
-                                                phi_4795_ = true;
+                                                phi_4799_ = true;
                                                 break;
                                             }
-                                            let _e899 = global_10.member[_e844.member_1][_e894];
-                                            let _e922 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.x - _e844.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e923 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.y - _e844.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e924 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.z - _e844.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e926 = select(_e161, _e922, (_e922 > _e161));
-                                            let _e928 = select(_e161, _e923, (_e923 > _e161));
-                                            let _e930 = select(_e161, _e924, (_e924 > _e161));
-                                            let _e961 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e862 & 2097151u))) - 8388608f) * _e926));
-                                            let _e966 = (bitcast<i32>((_e862 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e969 = bitcast<f32>((_e961 & bitcast<u32>(_e966)));
-                                            let _e970 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e877 & 2097151u))) - 8388608f) * _e928));
-                                            let _e975 = (bitcast<i32>((_e877 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e978 = bitcast<f32>((_e970 & bitcast<u32>(_e975)));
-                                            let _e979 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e892 & 2097151u))) - 8388608f) * _e930));
-                                            let _e984 = (bitcast<i32>((_e892 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e987 = bitcast<f32>((_e979 & bitcast<u32>(_e984)));
-                                            let _e991 = bitcast<f32>((_e961 & bitcast<u32>(~(_e966))));
-                                            let _e995 = bitcast<f32>((_e970 & bitcast<u32>(~(_e975))));
-                                            let _e999 = bitcast<f32>((_e979 & bitcast<u32>(~(_e984))));
-                                            let _e1000 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e869 & 2097151u))) - 8388608f) * _e926));
-                                            let _e1005 = (bitcast<i32>((_e869 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1008 = bitcast<f32>((_e1000 & bitcast<u32>(_e1005)));
-                                            let _e1009 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e884 & 2097151u))) - 8388608f) * _e928));
-                                            let _e1014 = (bitcast<i32>((_e884 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1017 = bitcast<f32>((_e1009 & bitcast<u32>(_e1014)));
-                                            let _e1018 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e899 & 2097151u))) - 8388608f) * _e930));
-                                            let _e1023 = (bitcast<i32>((_e899 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1026 = bitcast<f32>((_e1018 & bitcast<u32>(_e1023)));
-                                            let _e1030 = bitcast<f32>((_e1000 & bitcast<u32>(~(_e1005))));
-                                            let _e1034 = bitcast<f32>((_e1009 & bitcast<u32>(~(_e1014))));
-                                            let _e1038 = bitcast<f32>((_e1018 & bitcast<u32>(~(_e1023))));
-                                            let _e1068 = global_10.member[_e844.member_1][0u];
-                                            let _e1072 = global_10.member[_e844.member_1][2u];
-                                            let _e1076 = global_10.member[_e844.member_1][4u];
-                                            let _e1080 = global_10.member[_e844.member_1][6u];
-                                            let _e1092 = (((_e1072 >> bitcast<u32>(22i)) | ((_e1076 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1080 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1093 = (_e1068 & 268435455u);
-                                            let _e1094 = (_e1092 & 268435455u);
-                                            let _e1097 = ((_e1068 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1105 = ((_e1068 >> bitcast<u32>(31i)) | (((_e1092 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1106 = (_e1097 != 0u);
-                                            if (_e1097 == 0u) {
-                                                phi_3655_ = _e1093;
+                                            let _e1717 = global_10.member[_e844.member_1][_e1712];
+                                            let _e1740 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.x - _e844.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1741 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.y - _e844.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1742 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.z - _e844.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1744 = select(_e161, _e1740, (_e1740 > _e161));
+                                            let _e1746 = select(_e161, _e1741, (_e1741 > _e161));
+                                            let _e1748 = select(_e161, _e1742, (_e1742 > _e161));
+                                            let _e1779 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1680 & 2097151u))) - 8388608f) * _e1744));
+                                            let _e1784 = (bitcast<i32>((_e1680 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1787 = bitcast<f32>((_e1779 & bitcast<u32>(_e1784)));
+                                            let _e1788 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1695 & 2097151u))) - 8388608f) * _e1746));
+                                            let _e1793 = (bitcast<i32>((_e1695 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1796 = bitcast<f32>((_e1788 & bitcast<u32>(_e1793)));
+                                            let _e1797 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1710 & 2097151u))) - 8388608f) * _e1748));
+                                            let _e1802 = (bitcast<i32>((_e1710 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1805 = bitcast<f32>((_e1797 & bitcast<u32>(_e1802)));
+                                            let _e1809 = bitcast<f32>((_e1779 & bitcast<u32>(~(_e1784))));
+                                            let _e1813 = bitcast<f32>((_e1788 & bitcast<u32>(~(_e1793))));
+                                            let _e1817 = bitcast<f32>((_e1797 & bitcast<u32>(~(_e1802))));
+                                            let _e1818 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1687 & 2097151u))) - 8388608f) * _e1744));
+                                            let _e1823 = (bitcast<i32>((_e1687 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1826 = bitcast<f32>((_e1818 & bitcast<u32>(_e1823)));
+                                            let _e1827 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1702 & 2097151u))) - 8388608f) * _e1746));
+                                            let _e1832 = (bitcast<i32>((_e1702 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1835 = bitcast<f32>((_e1827 & bitcast<u32>(_e1832)));
+                                            let _e1836 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1717 & 2097151u))) - 8388608f) * _e1748));
+                                            let _e1841 = (bitcast<i32>((_e1717 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1844 = bitcast<f32>((_e1836 & bitcast<u32>(_e1841)));
+                                            let _e1848 = bitcast<f32>((_e1818 & bitcast<u32>(~(_e1823))));
+                                            let _e1852 = bitcast<f32>((_e1827 & bitcast<u32>(~(_e1832))));
+                                            let _e1856 = bitcast<f32>((_e1836 & bitcast<u32>(~(_e1841))));
+                                            let _e1886 = global_10.member[_e844.member_1][0u];
+                                            let _e1890 = global_10.member[_e844.member_1][2u];
+                                            let _e1894 = global_10.member[_e844.member_1][4u];
+                                            let _e1898 = global_10.member[_e844.member_1][6u];
+                                            let _e1910 = (((_e1890 >> bitcast<u32>(22i)) | ((_e1894 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1898 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1911 = (_e1886 & 268435455u);
+                                            let _e1912 = (_e1910 & 268435455u);
+                                            let _e1915 = ((_e1886 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1923 = ((_e1886 >> bitcast<u32>(31i)) | (((_e1910 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1924 = (_e1915 != 0u);
+                                            if (_e1915 == 0u) {
+                                                phi_3651_ = _e1911;
                                             } else {
-                                                if (_e1097 == 7u) {
-                                                    phi_3654_ = 2147483648u;
+                                                if (_e1915 == 7u) {
+                                                    phi_3650_ = 2147483648u;
                                                 } else {
-                                                    phi_3654_ = ((2147483648u | (_e1097 << bitcast<u32>(28u))) | (_e1094 & 268435455u));
+                                                    phi_3650_ = ((2147483648u | (_e1915 << bitcast<u32>(28u))) | (_e1912 & 268435455u));
                                                 }
-                                                let _e1115 = phi_3654_;
-                                                phi_3655_ = _e1115;
+                                                let _e1933 = phi_3650_;
+                                                phi_3651_ = _e1933;
                                             }
-                                            let _e1117 = phi_3655_;
-                                            if _e1106 {
-                                                let _e1118 = (_e1097 != 7u);
-                                                if _e1118 {
-                                                    phi_3665_ = (_e1094 + _e1097);
+                                            let _e1935 = phi_3651_;
+                                            if _e1924 {
+                                                let _e1936 = (_e1915 != 7u);
+                                                if _e1936 {
+                                                    phi_3661_ = (_e1912 + _e1915);
                                                 } else {
-                                                    phi_3665_ = u32();
+                                                    phi_3661_ = u32();
                                                 }
-                                                let _e1121 = phi_3665_;
-                                                phi_3667_ = _e1121;
-                                                phi_3668_ = select(true, false, _e1118);
+                                                let _e1939 = phi_3661_;
+                                                phi_3663_ = _e1939;
+                                                phi_3664_ = select(true, false, _e1936);
                                             } else {
-                                                phi_3667_ = u32();
-                                                phi_3668_ = true;
+                                                phi_3663_ = u32();
+                                                phi_3664_ = true;
                                             }
-                                            let _e1124 = phi_3667_;
-                                            let _e1126 = phi_3668_;
-                                            if (_e1105 == 0u) {
-                                                phi_3689_ = (_e1093 + select(0u, 1u, !(_e1106)));
+                                            let _e1942 = phi_3663_;
+                                            let _e1944 = phi_3664_;
+                                            if (_e1923 == 0u) {
+                                                phi_3685_ = (_e1911 + select(0u, 1u, !(_e1924)));
                                             } else {
-                                                if (_e1105 == 7u) {
-                                                    phi_3688_ = 2147483648u;
+                                                if (_e1923 == 7u) {
+                                                    phi_3684_ = 2147483648u;
                                                 } else {
-                                                    phi_3688_ = ((2147483648u | (_e1105 << bitcast<u32>(28u))) | (select(_e1124, _e1094, _e1126) & 268435455u));
+                                                    phi_3684_ = ((2147483648u | (_e1923 << bitcast<u32>(28u))) | (select(_e1942, _e1912, _e1944) & 268435455u));
                                                 }
-                                                let _e1139 = phi_3688_;
-                                                phi_3689_ = _e1139;
+                                                let _e1957 = phi_3684_;
+                                                phi_3685_ = _e1957;
                                             }
-                                            let _e1141 = phi_3689_;
-                                            phi_3693_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e844.member.member.x + _e969), (_e844.member.member.x + _e991), (_e844.member.member_1.x - _e1008), (_e844.member.member_1.x - _e1030)), vec4<f32>((_e844.member.member.y + _e978), (_e844.member.member.y + _e995), (_e844.member.member_1.y - _e1017), (_e844.member.member_1.y - _e1034)), vec4<f32>((_e844.member.member.z + _e987), (_e844.member.member.z + _e999), (_e844.member.member_1.z - _e1026), (_e844.member.member_1.z - _e1038))), type_62(type_38((_e844.member.member + vec4<f32>(_e969, _e978, _e987, 0f)), (_e844.member.member_1 - vec4<f32>(_e1008, _e1017, _e1026, 0f))), _e1117), type_62(type_38((_e844.member.member + vec4<f32>(_e991, _e995, _e999, 0f)), (_e844.member.member_1 - vec4<f32>(_e1030, _e1034, _e1038, 0f))), _e1141));
+                                            let _e1959 = phi_3685_;
+                                            phi_3689_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e844.member.member.x + _e1787), (_e844.member.member.x + _e1809), (_e844.member.member_1.x - _e1826), (_e844.member.member_1.x - _e1848)), vec4<f32>((_e844.member.member.y + _e1796), (_e844.member.member.y + _e1813), (_e844.member.member_1.y - _e1835), (_e844.member.member_1.y - _e1852)), vec4<f32>((_e844.member.member.z + _e1805), (_e844.member.member.z + _e1817), (_e844.member.member_1.z - _e1844), (_e844.member.member_1.z - _e1856))), type_62(type_38((_e844.member.member + vec4<f32>(_e1787, _e1796, _e1805, 0f)), (_e844.member.member_1 - vec4<f32>(_e1826, _e1835, _e1844, 0f))), _e1935), type_62(type_38((_e844.member.member + vec4<f32>(_e1809, _e1813, _e1817, 0f)), (_e844.member.member_1 - vec4<f32>(_e1848, _e1852, _e1856, 0f))), _e1959));
                                         }
-                                        let _e1146 = phi_3693_;
-                                        let _e1158 = ((_e1146.member[0].x - _e509) * _e514);
-                                        let _e1159 = ((_e1146.member[0].y - _e509) * _e514);
-                                        let _e1160 = ((_e1146.member[0].z - _e510) * _e514);
-                                        let _e1161 = ((_e1146.member[0].w - _e510) * _e514);
-                                        let _e1171 = ((_e1146.member[1].x - _e575) * _e580);
-                                        let _e1172 = ((_e1146.member[1].y - _e575) * _e580);
-                                        let _e1173 = ((_e1146.member[1].z - _e576) * _e580);
-                                        let _e1174 = ((_e1146.member[1].w - _e576) * _e580);
-                                        let _e1184 = ((_e1146.member[2].x - _e641) * _e646);
-                                        let _e1185 = ((_e1146.member[2].y - _e641) * _e646);
-                                        let _e1186 = ((_e1146.member[2].z - _e642) * _e646);
-                                        let _e1187 = ((_e1146.member[2].w - _e642) * _e646);
-                                        let _e1189 = select(_e1186, _e1184, (_e1184 < _e1186));
-                                        let _e1191 = select(_e1187, _e1185, (_e1185 < _e1187));
-                                        let _e1193 = select(_e1186, _e1184, (_e1184 > _e1186));
-                                        let _e1195 = select(_e1187, _e1185, (_e1185 > _e1187));
-                                        let _e1197 = select(_e1160, _e1158, (_e1158 < _e1160));
-                                        let _e1199 = select(_e1161, _e1159, (_e1159 < _e1161));
-                                        let _e1201 = select(_e1173, _e1171, (_e1171 < _e1173));
-                                        let _e1203 = select(_e1174, _e1172, (_e1172 < _e1174));
-                                        let _e1205 = select(_e1201, _e1197, (_e1197 > _e1201));
-                                        let _e1207 = select(_e1203, _e1199, (_e1199 > _e1203));
-                                        let _e1209 = select(_e1189, _e1205, (_e1205 > _e1189));
-                                        let _e1211 = select(_e1191, _e1207, (_e1207 > _e1191));
-                                        let _e1213 = select(_e1160, _e1158, (_e1158 > _e1160));
-                                        let _e1215 = select(_e1161, _e1159, (_e1159 > _e1161));
-                                        let _e1217 = select(_e1173, _e1171, (_e1171 > _e1173));
-                                        let _e1219 = select(_e1174, _e1172, (_e1172 > _e1174));
-                                        let _e1221 = select(_e1217, _e1213, (_e1213 < _e1217));
-                                        let _e1223 = select(_e1219, _e1215, (_e1215 < _e1219));
-                                        let _e1228 = -(_e1189);
-                                        let _e1229 = -(_e1191);
-                                        let _e1236 = (select(_e1193, _e1221, (_e1221 < _e1193)) + (select(_e1228, _e1193, (_e1193 > _e1228)) * 0.0000019073523f));
-                                        let _e1237 = (select(_e1195, _e1223, (_e1223 < _e1195)) + (select(_e1229, _e1195, (_e1195 > _e1229)) * 0.0000019073523f));
-                                        let _e1239 = select(_e757, _e1209, (_e1209 > _e757));
-                                        let _e1241 = select(_e757, _e1211, (_e1211 > _e757));
-                                        let _e1246 = (_e1239 <= select(_e801.member_1, _e1236, (_e1236 < _e801.member_1)));
-                                        let _e1247 = (_e1241 <= select(_e801.member_1, _e1237, (_e1237 < _e801.member_1)));
-                                        let _e1248 = (_e1239 <= _e1241);
-                                        if _e1246 {
-                                            if _e1247 {
-                                                if _e1248 {
-                                                    phi_4055_ = _e1146.member_2;
+                                        let _e1964 = phi_3689_;
+                                        let _e1976 = ((_e1964.member[0].x - _e509) * _e514);
+                                        let _e1977 = ((_e1964.member[0].y - _e509) * _e514);
+                                        let _e1978 = ((_e1964.member[0].z - _e510) * _e514);
+                                        let _e1979 = ((_e1964.member[0].w - _e510) * _e514);
+                                        let _e1989 = ((_e1964.member[1].x - _e575) * _e580);
+                                        let _e1990 = ((_e1964.member[1].y - _e575) * _e580);
+                                        let _e1991 = ((_e1964.member[1].z - _e576) * _e580);
+                                        let _e1992 = ((_e1964.member[1].w - _e576) * _e580);
+                                        let _e2002 = ((_e1964.member[2].x - _e641) * _e646);
+                                        let _e2003 = ((_e1964.member[2].y - _e641) * _e646);
+                                        let _e2004 = ((_e1964.member[2].z - _e642) * _e646);
+                                        let _e2005 = ((_e1964.member[2].w - _e642) * _e646);
+                                        let _e2007 = select(_e2004, _e2002, (_e2002 < _e2004));
+                                        let _e2009 = select(_e2005, _e2003, (_e2003 < _e2005));
+                                        let _e2011 = select(_e2004, _e2002, (_e2002 > _e2004));
+                                        let _e2013 = select(_e2005, _e2003, (_e2003 > _e2005));
+                                        let _e2015 = select(_e1978, _e1976, (_e1976 < _e1978));
+                                        let _e2017 = select(_e1979, _e1977, (_e1977 < _e1979));
+                                        let _e2019 = select(_e1991, _e1989, (_e1989 < _e1991));
+                                        let _e2021 = select(_e1992, _e1990, (_e1990 < _e1992));
+                                        let _e2023 = select(_e2019, _e2015, (_e2015 > _e2019));
+                                        let _e2025 = select(_e2021, _e2017, (_e2017 > _e2021));
+                                        let _e2027 = select(_e2007, _e2023, (_e2023 > _e2007));
+                                        let _e2029 = select(_e2009, _e2025, (_e2025 > _e2009));
+                                        let _e2031 = select(_e1978, _e1976, (_e1976 > _e1978));
+                                        let _e2033 = select(_e1979, _e1977, (_e1977 > _e1979));
+                                        let _e2035 = select(_e1991, _e1989, (_e1989 > _e1991));
+                                        let _e2037 = select(_e1992, _e1990, (_e1990 > _e1992));
+                                        let _e2039 = select(_e2035, _e2031, (_e2031 < _e2035));
+                                        let _e2041 = select(_e2037, _e2033, (_e2033 < _e2037));
+                                        let _e2046 = -(_e2007);
+                                        let _e2047 = -(_e2009);
+                                        let _e2054 = (select(_e2011, _e2039, (_e2039 < _e2011)) + (select(_e2046, _e2011, (_e2011 > _e2046)) * 0.0000019073523f));
+                                        let _e2055 = (select(_e2013, _e2041, (_e2041 < _e2013)) + (select(_e2047, _e2013, (_e2013 > _e2047)) * 0.0000019073523f));
+                                        let _e2057 = select(_e757, _e2027, (_e2027 > _e757));
+                                        let _e2059 = select(_e757, _e2029, (_e2029 > _e757));
+                                        let _e2064 = (_e2057 <= select(_e1670.member_1, _e2054, (_e2054 < _e1670.member_1)));
+                                        let _e2065 = (_e2059 <= select(_e1670.member_1, _e2055, (_e2055 < _e1670.member_1)));
+                                        let _e2066 = (_e2057 <= _e2059);
+                                        if _e2064 {
+                                            if _e2065 {
+                                                if _e2066 {
+                                                    phi_4051_ = _e1964.member_2;
                                                 } else {
-                                                    phi_4055_ = _e1146.member_1;
+                                                    phi_4051_ = _e1964.member_1;
                                                 }
-                                                let _e1252 = phi_4055_;
-                                                let _e1274 = (_e842 % 128u);
-                                                let _e1275 = (_e1274 < 128u);
-                                                if _e1275 {
+                                                let _e2070 = phi_4051_;
+                                                let _e2091 = (_e842 % 128u);
+                                                let _e2092 = (_e2091 < 128u);
+                                                if _e2092 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1274] = _e1252.member_1;
-                                                if _e1275 {
+                                                local_8[_e2091] = _e2070.member_1;
+                                                if _e2092 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1274] = _e1252.member.member.x;
-                                                if _e1275 {
+                                                local_7[_e2091] = _e2070.member.member.x;
+                                                if _e2092 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1274] = _e1252.member.member.y;
-                                                if _e1275 {
+                                                local_6[_e2091] = _e2070.member.member.y;
+                                                if _e2092 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1274] = _e1252.member.member.z;
-                                                if _e1275 {
+                                                local_5[_e2091] = _e2070.member.member.z;
+                                                if _e2092 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1274] = _e1252.member.member_1.x;
-                                                if _e1275 {
+                                                local_4[_e2091] = _e2070.member.member_1.x;
+                                                if _e2092 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1274] = _e1252.member.member_1.y;
-                                                if _e1275 {
+                                                local_3[_e2091] = _e2070.member.member_1.y;
+                                                if _e2092 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1274] = _e1252.member.member_1.z;
-                                                if _e1275 {
+                                                local_2[_e2091] = _e2070.member.member_1.z;
+                                                if _e2092 {
                                                 } else {
-                                                    phi_4795_ = true;
+                                                    phi_4799_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1274] = select(_e1241, _e1239, !(_e1248));
-                                                if _e1248 {
-                                                    phi_4132_ = _e1146.member_1;
+                                                local_9[_e2091] = select(_e2057, _e2059, _e2066);
+                                                if _e2066 {
+                                                    phi_4127_ = _e1964.member_1;
                                                 } else {
-                                                    phi_4132_ = _e1146.member_2;
+                                                    phi_4127_ = _e1964.member_2;
                                                 }
-                                                let _e1288 = phi_4132_;
-                                                phi_4133_ = (_e842 + 1u);
-                                                phi_4134_ = _e1288;
+                                                let _e2105 = phi_4127_;
+                                                phi_4128_ = (_e842 + 1u);
+                                                phi_4129_ = _e2105;
                                             } else {
-                                                phi_4133_ = u32();
-                                                phi_4134_ = type_62();
+                                                phi_4128_ = u32();
+                                                phi_4129_ = type_62();
                                             }
-                                            let _e1290 = phi_4133_;
-                                            let _e1292 = phi_4134_;
-                                            phi_4136_ = _e1290;
-                                            phi_4137_ = _e1292;
-                                            phi_4138_ = select(true, false, _e1247);
+                                            let _e2107 = phi_4128_;
+                                            let _e2109 = phi_4129_;
+                                            phi_4131_ = _e2107;
+                                            phi_4132_ = _e2109;
+                                            phi_4133_ = select(true, false, _e2065);
                                         } else {
-                                            phi_4136_ = u32();
-                                            phi_4137_ = type_62();
-                                            phi_4138_ = true;
+                                            phi_4131_ = u32();
+                                            phi_4132_ = type_62();
+                                            phi_4133_ = true;
                                         }
-                                        let _e1295 = phi_4136_;
-                                        let _e1297 = phi_4137_;
-                                        let _e1299 = phi_4138_;
-                                        if _e1299 {
-                                            if _e1246 {
-                                                phi_4147_ = _e1146.member_1;
+                                        let _e2112 = phi_4131_;
+                                        let _e2114 = phi_4132_;
+                                        let _e2116 = phi_4133_;
+                                        if _e2116 {
+                                            if _e2064 {
+                                                phi_4142_ = _e1964.member_1;
                                             } else {
-                                                phi_4147_ = _e1146.member_2;
+                                                phi_4142_ = _e1964.member_2;
                                             }
-                                            let _e1303 = phi_4147_;
-                                            phi_4152_ = select(_e1247, true, _e1246);
-                                            phi_4154_ = _e1303;
+                                            let _e2120 = phi_4142_;
+                                            phi_4147_ = select(_e2065, true, _e2064);
+                                            phi_4149_ = _e2120;
                                         } else {
-                                            phi_4152_ = _e840;
-                                            phi_4154_ = _e1297;
+                                            phi_4147_ = _e840;
+                                            phi_4149_ = _e2114;
                                         }
-                                        let _e1306 = phi_4152_;
-                                        let _e1308 = phi_4154_;
-                                        phi_4799_ = _e799;
-                                        phi_4158_ = _e801;
-                                        phi_4159_ = _e1306;
-                                        phi_4160_ = select(_e1295, _e842, _e1299);
-                                        phi_4161_ = _e1308;
+                                        let _e2123 = phi_4147_;
+                                        let _e2125 = phi_4149_;
+                                        phi_4153_ = _e2123;
+                                        phi_4154_ = select(_e2112, _e842, _e2116);
+                                        phi_4155_ = _e2125;
                                     }
-                                    let _e2125 = phi_4799_;
-                                    let _e2127 = phi_4158_;
-                                    let _e2129 = phi_4159_;
-                                    let _e2131 = phi_4160_;
-                                    let _e2133 = phi_4161_;
-                                    phi_4798_ = _e2125;
-                                    phi_4162_ = _e2127;
-                                    phi_4163_ = _e2129;
-                                    phi_4164_ = (_e805 - 1u);
-                                    phi_4165_ = _e2131;
-                                    phi_4166_ = _e2133;
+                                    let _e2128 = phi_4153_;
+                                    let _e2130 = phi_4154_;
+                                    let _e2132 = phi_4155_;
+                                    if _e848 {
+                                        phi_4165_ = _e844;
+                                    } else {
+                                        phi_4165_ = _e2132;
+                                    }
+                                    let _e2134 = phi_4165_;
+                                    phi_4802_ = _e1668;
+                                    phi_4166_ = _e1670;
+                                    phi_4167_ = (_e803 - 1u);
+                                    phi_4168_ = select(_e2128, false, _e848);
+                                    phi_4169_ = select(_e2130, _e842, _e848);
+                                    phi_4170_ = _e2134;
                                 } else {
-                                    phi_4798_ = _e799;
-                                    phi_4162_ = _e801;
-                                    phi_4163_ = _e840;
-                                    phi_4164_ = _e805;
-                                    phi_4165_ = _e842;
-                                    phi_4166_ = _e844;
+                                    phi_4802_ = _e799;
+                                    phi_4166_ = _e801;
+                                    phi_4167_ = _e803;
+                                    phi_4168_ = _e840;
+                                    phi_4169_ = _e842;
+                                    phi_4170_ = _e844;
                                 }
-                                let _e2135 = phi_4798_;
-                                let _e2137 = phi_4162_;
-                                let _e2139 = phi_4163_;
-                                let _e2141 = phi_4164_;
-                                let _e2143 = phi_4165_;
-                                let _e2145 = phi_4166_;
-                                phi_4797_ = _e2135;
-                                phi_4167_ = _e2137;
-                                phi_4168_ = _e2139;
-                                phi_4169_ = _e2141;
-                                phi_4170_ = _e2143;
-                                phi_4171_ = _e2145;
+                                let _e2138 = phi_4802_;
+                                let _e2140 = phi_4166_;
+                                let _e2142 = phi_4167_;
+                                let _e2144 = phi_4168_;
+                                let _e2146 = phi_4169_;
+                                let _e2148 = phi_4170_;
+                                phi_4801_ = _e2138;
+                                phi_4171_ = _e2140;
+                                phi_4172_ = _e2142;
+                                phi_4173_ = _e2144;
+                                phi_4174_ = _e2146;
+                                phi_4175_ = _e2148;
                             } else {
-                                phi_4797_ = _e799;
-                                phi_4167_ = type_44();
-                                phi_4168_ = bool();
-                                phi_4169_ = u32();
-                                phi_4170_ = u32();
-                                phi_4171_ = type_62();
+                                phi_4801_ = _e799;
+                                phi_4171_ = type_44();
+                                phi_4172_ = u32();
+                                phi_4173_ = bool();
+                                phi_4174_ = u32();
+                                phi_4175_ = type_62();
                             }
-                            let _e2147 = phi_4797_;
-                            let _e2149 = phi_4167_;
-                            let _e2151 = phi_4168_;
-                            let _e2153 = phi_4169_;
-                            let _e2155 = phi_4170_;
-                            let _e2157 = phi_4171_;
-                            phi_4796_ = _e2147;
-                            phi_1396_ = _e2149;
-                            phi_1399_ = _e2151;
-                            phi_1401_ = _e2153;
-                            phi_1403_ = _e2155;
-                            phi_1405_ = _e2157;
-                            phi_4172_ = _e813;
+                            let _e2150 = phi_4801_;
+                            let _e2152 = phi_4171_;
+                            let _e2154 = phi_4172_;
+                            let _e2156 = phi_4173_;
+                            let _e2158 = phi_4174_;
+                            let _e2160 = phi_4175_;
+                            phi_4800_ = _e2150;
+                            phi_1396_ = _e2152;
+                            phi_1399_ = _e2154;
+                            phi_1401_ = _e2156;
+                            phi_1403_ = _e2158;
+                            phi_1405_ = _e2160;
+                            phi_4176_ = _e813;
                         } else {
-                            phi_4796_ = _e799;
+                            phi_4800_ = _e799;
                             phi_1396_ = type_44();
-                            phi_1399_ = bool();
-                            phi_1401_ = u32();
+                            phi_1399_ = u32();
+                            phi_1401_ = bool();
                             phi_1403_ = u32();
                             phi_1405_ = type_62();
-                            phi_4172_ = false;
+                            phi_4176_ = false;
                         }
-                        let _e2159 = phi_4796_;
-                        let _e2161 = phi_1396_;
-                        let _e2163 = phi_1399_;
-                        let _e2165 = phi_1401_;
-                        let _e2167 = phi_1403_;
-                        let _e2169 = phi_1405_;
-                        let _e2171 = phi_4172_;
+                        let _e2162 = phi_4800_;
+                        let _e2164 = phi_1396_;
+                        let _e2166 = phi_1399_;
+                        let _e2168 = phi_1401_;
+                        let _e2170 = phi_1403_;
+                        let _e2172 = phi_1405_;
+                        let _e2174 = phi_4176_;
                         continue;
                         continuing {
-                            phi_4609_ = _e2159;
-                            phi_1395_ = _e2161;
-                            phi_1398_ = _e2163;
-                            phi_1400_ = _e2165;
-                            phi_1402_ = _e2167;
-                            phi_1404_ = _e2169;
-                            phi_4795_ = _e2159;
-                            break if !(_e2171);
+                            phi_4613_ = _e2162;
+                            phi_1395_ = _e2164;
+                            phi_1398_ = _e2166;
+                            phi_1400_ = _e2168;
+                            phi_1402_ = _e2170;
+                            phi_1404_ = _e2172;
+                            phi_4799_ = _e2162;
+                            break if !(_e2174);
                         }
                     }
-                    let _e2174 = phi_4795_;
-                    if _e2174 {
+                    let _e2177 = phi_4799_;
+                    if _e2177 {
                         break;
                     }
-                    let _e2176 = local_10;
-                    if (_e2176.member.member_3 != 4294967295u) {
-                        let _e2181 = bitcast<u32>(_e2176.member.member);
-                        let _e2185 = (bitcast<i32>((_e2181 >> bitcast<u32>(23i))) & 255i);
-                        let _e2186 = (_e2185 + _e426);
-                        if (_e2185 == 255i) {
-                            phi_4231_ = _e2176.member.member;
+                    let _e2179 = local_10;
+                    if (_e2179.member.member_3 != 4294967295u) {
+                        let _e2184 = bitcast<u32>(_e2179.member.member);
+                        let _e2188 = (bitcast<i32>((_e2184 >> bitcast<u32>(23i))) & 255i);
+                        let _e2189 = (_e2188 + _e426);
+                        if (_e2188 == 255i) {
+                            phi_4235_ = _e2179.member.member;
                         } else {
-                            if (_e2185 > 0i) {
-                                if (_e2186 > 0i) {
-                                    let _e2190 = (_e2186 < 255i);
-                                    if _e2190 {
-                                        phi_4210_ = bitcast<f32>((_e2181 + bitcast<u32>((_e426 << bitcast<u32>(23i)))));
+                            if (_e2188 > 0i) {
+                                if (_e2189 > 0i) {
+                                    let _e2193 = (_e2189 < 255i);
+                                    if _e2193 {
+                                        phi_4214_ = bitcast<f32>((_e2184 + bitcast<u32>((_e426 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4210_ = f32();
+                                        phi_4214_ = f32();
                                     }
-                                    let _e2197 = phi_4210_;
-                                    phi_4212_ = _e2197;
-                                    phi_4213_ = select(true, false, _e2190);
+                                    let _e2200 = phi_4214_;
+                                    phi_4216_ = _e2200;
+                                    phi_4217_ = select(true, false, _e2193);
                                 } else {
-                                    phi_4212_ = f32();
-                                    phi_4213_ = true;
+                                    phi_4216_ = f32();
+                                    phi_4217_ = true;
                                 }
-                                let _e2200 = phi_4212_;
-                                let _e2202 = phi_4213_;
-                                phi_4214_ = _e2200;
-                                phi_4215_ = _e2202;
+                                let _e2203 = phi_4216_;
+                                let _e2205 = phi_4217_;
+                                phi_4218_ = _e2203;
+                                phi_4219_ = _e2205;
                             } else {
-                                phi_4214_ = f32();
-                                phi_4215_ = true;
+                                phi_4218_ = f32();
+                                phi_4219_ = true;
                             }
-                            let _e2204 = phi_4214_;
-                            let _e2206 = phi_4215_;
-                            if _e2206 {
-                                let _e2207 = (_e2181 & 2147483648u);
-                                let _e2214 = ((_e2181 & 8388607u) | (select(0u, 1u, ((_e2181 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2218 = (_e2214 == 0u);
-                                if _e2218 {
-                                    phi_4561_ = bitcast<f32>(_e2207);
+                            let _e2207 = phi_4218_;
+                            let _e2209 = phi_4219_;
+                            if _e2209 {
+                                let _e2210 = (_e2184 & 2147483648u);
+                                let _e2217 = ((_e2184 & 8388607u) | (select(0u, 1u, ((_e2184 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2221 = (_e2217 == 0u);
+                                if _e2221 {
+                                    phi_4565_ = bitcast<f32>(_e2210);
                                 } else {
-                                    let _e2223 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2214)), 32u, _e2218) - 8u);
-                                    let _e2226 = (_e2214 << bitcast<u32>((_e2223 & 31u)));
-                                    let _e2228 = ((_e2186 + select(0i, 1i, (_e2185 == 0i))) - bitcast<i32>(_e2223));
-                                    if (_e2228 >= 255i) {
-                                        phi_4551_ = bitcast<f32>((_e2207 | 2139095040u));
-                                        phi_4552_ = f32();
-                                        phi_4553_ = true;
+                                    let _e2226 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2217)), 32u, _e2221) - 8u);
+                                    let _e2229 = (_e2217 << bitcast<u32>((_e2226 & 31u)));
+                                    let _e2231 = ((_e2189 + select(0i, 1i, (_e2188 == 0i))) - bitcast<i32>(_e2226));
+                                    if (_e2231 >= 255i) {
+                                        phi_4555_ = bitcast<f32>((_e2210 | 2139095040u));
+                                        phi_4556_ = f32();
+                                        phi_4557_ = true;
                                     } else {
-                                        let _e2230 = (_e2228 > 0i);
-                                        if _e2230 {
-                                            phi_4545_ = bitcast<f32>(((_e2207 | (bitcast<u32>(_e2228) << bitcast<u32>(23i))) | (_e2226 & 8388607u)));
-                                            phi_4546_ = f32();
+                                        let _e2233 = (_e2231 > 0i);
+                                        if _e2233 {
+                                            phi_4549_ = bitcast<f32>(((_e2210 | (bitcast<u32>(_e2231) << bitcast<u32>(23i))) | (_e2229 & 8388607u)));
+                                            phi_4550_ = f32();
                                         } else {
-                                            if (_e2228 < -24i) {
-                                                phi_4511_ = 26u;
+                                            if (_e2231 < -24i) {
+                                                phi_4515_ = 26u;
                                             } else {
-                                                phi_4511_ = bitcast<u32>((1i - _e2228));
+                                                phi_4515_ = bitcast<u32>((1i - _e2231));
                                             }
-                                            let _e2235 = phi_4511_;
-                                            let _e2236 = (_e2235 & 31u);
-                                            let _e2238 = (_e2226 >> bitcast<u32>(_e2236));
-                                            let _e2242 = (_e2226 & ((1u << bitcast<u32>(_e2236)) - 1u));
-                                            let _e2246 = (1u << bitcast<u32>(((_e2235 - 1u) & 31u)));
-                                            if (_e2242 > _e2246) {
-                                                phi_4532_ = true;
+                                            let _e2238 = phi_4515_;
+                                            let _e2239 = (_e2238 & 31u);
+                                            let _e2241 = (_e2229 >> bitcast<u32>(_e2239));
+                                            let _e2245 = (_e2229 & ((1u << bitcast<u32>(_e2239)) - 1u));
+                                            let _e2249 = (1u << bitcast<u32>(((_e2238 - 1u) & 31u)));
+                                            if (_e2245 > _e2249) {
+                                                phi_4536_ = true;
                                             } else {
-                                                if (_e2242 == _e2246) {
-                                                    phi_4529_ = ((_e2238 & 1u) == 1u);
+                                                if (_e2245 == _e2249) {
+                                                    phi_4533_ = ((_e2241 & 1u) == 1u);
                                                 } else {
-                                                    phi_4529_ = false;
+                                                    phi_4533_ = false;
                                                 }
-                                                let _e2252 = phi_4529_;
-                                                phi_4532_ = _e2252;
+                                                let _e2255 = phi_4533_;
+                                                phi_4536_ = _e2255;
                                             }
-                                            let _e2254 = phi_4532_;
-                                            phi_4545_ = f32();
-                                            phi_4546_ = bitcast<f32>((_e2207 | (_e2238 + select(0u, 1u, _e2254))));
+                                            let _e2257 = phi_4536_;
+                                            phi_4549_ = f32();
+                                            phi_4550_ = bitcast<f32>((_e2210 | (_e2241 + select(0u, 1u, _e2257))));
                                         }
-                                        let _e2267 = phi_4545_;
-                                        let _e2269 = phi_4546_;
-                                        phi_4551_ = _e2267;
-                                        phi_4552_ = _e2269;
-                                        phi_4553_ = _e2230;
+                                        let _e2270 = phi_4549_;
+                                        let _e2272 = phi_4550_;
+                                        phi_4555_ = _e2270;
+                                        phi_4556_ = _e2272;
+                                        phi_4557_ = _e2233;
                                     }
-                                    let _e2273 = phi_4551_;
-                                    let _e2275 = phi_4552_;
-                                    let _e2277 = phi_4553_;
-                                    phi_4561_ = select(_e2275, _e2273, _e2277);
+                                    let _e2276 = phi_4555_;
+                                    let _e2278 = phi_4556_;
+                                    let _e2280 = phi_4557_;
+                                    phi_4565_ = select(_e2278, _e2276, _e2280);
                                 }
-                                let _e2281 = phi_4561_;
-                                phi_4230_ = _e2281;
+                                let _e2284 = phi_4565_;
+                                phi_4234_ = _e2284;
                             } else {
-                                phi_4230_ = _e2204;
+                                phi_4234_ = _e2207;
                             }
-                            let _e2283 = phi_4230_;
-                            phi_4231_ = _e2283;
+                            let _e2286 = phi_4234_;
+                            phi_4235_ = _e2286;
                         }
-                        let _e2285 = phi_4231_;
-                        let _e2286 = bitcast<u32>(_e2285);
-                        if ((_e2286 & 2147483647u) >= 2139095040u) {
-                            phi_4243_ = bitcast<f32>(((_e2286 & 2147483648u) | 2139095039u));
+                        let _e2288 = phi_4235_;
+                        let _e2289 = bitcast<u32>(_e2288);
+                        if ((_e2289 & 2147483647u) >= 2139095040u) {
+                            phi_4247_ = bitcast<f32>(((_e2289 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4243_ = _e2285;
+                            phi_4247_ = _e2288;
                         }
-                        let _e2293 = phi_4243_;
-                        phi_4248_ = type_26(_e2293, _e2176.member.member_1, _e2176.member.member_2, _e2176.member.member_3);
+                        let _e2296 = phi_4247_;
+                        phi_4252_ = type_26(_e2296, _e2179.member.member_1, _e2179.member.member_2, _e2179.member.member_3);
                     } else {
-                        phi_4248_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4252_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2298 = phi_4248_;
+                    let _e2301 = phi_4252_;
                     if _e303 {
                     } else {
                         break;
                     }
-                    global_8.member[_e149] = _e2298;
+                    global_8.member[_e149] = _e2301;
                     if _e164 {
                     } else {
                         break;
                     }
-                    let _e2302 = select(0u, 1u, (_e370 <= _e380));
-                    if (_e2302 > 0u) {
-                        let _e2304 = (1u < _e117);
-                        if _e2304 {
+                    let _e2305 = select(0u, 1u, (_e370 <= _e380));
+                    if (_e2305 > 0u) {
+                        let _e2307 = (1u < _e117);
+                        if _e2307 {
                             if (0u < _e117) {
                             } else {
                                 break;
                             }
-                            let _e2308 = atomicAdd((&global_9.member[0u]), _e2302);
-                            if ((_e2308 + _e2302) < _e2308) {
-                                if _e2304 {
+                            let _e2311 = atomicAdd((&global_9.member[0u]), _e2305);
+                            if ((_e2311 + _e2305) < _e2311) {
+                                if _e2307 {
                                 } else {
                                     break;
                                 }
-                                let _e2313 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2316 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2316 = select(0u, 1u, (_e2298.member_3 != 4294967295u));
-                    if (_e2316 > 0u) {
-                        let _e2318 = (3u < _e117);
-                        if _e2318 {
+                    let _e2319 = select(0u, 1u, (_e2301.member_3 != 4294967295u));
+                    if (_e2319 > 0u) {
+                        let _e2321 = (3u < _e117);
+                        if _e2321 {
                             if (2u < _e117) {
                             } else {
                                 break;
                             }
-                            let _e2322 = atomicAdd((&global_9.member[2u]), _e2316);
-                            if ((_e2322 + _e2316) < _e2322) {
-                                if _e2318 {
+                            let _e2325 = atomicAdd((&global_9.member[2u]), _e2319);
+                            if ((_e2325 + _e2319) < _e2325) {
+                                if _e2321 {
                                 } else {
                                     break;
                                 }
-                                let _e2327 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2330 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

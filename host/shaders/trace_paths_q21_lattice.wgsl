@@ -155,36 +155,16 @@ fn function_() {
     var phi_1296_: u32;
     var phi_1304_: f32;
     var phi_1305_: f32;
-    var phi_5276_: bool;
+    var phi_5280_: bool;
     var phi_1401_: type_39;
-    var phi_1404_: bool;
-    var phi_1406_: u32;
+    var phi_1404_: u32;
+    var phi_1406_: bool;
     var phi_1408_: u32;
     var phi_1410_: type_57;
     var phi_1421_: bool;
     var phi_1507_: bool;
     var phi_1508_: u32;
     var phi_1509_: type_57;
-    var phi_4061_: u32;
-    var phi_4067_: u32;
-    var phi_4321_: u32;
-    var phi_4322_: u32;
-    var phi_4332_: u32;
-    var phi_4334_: u32;
-    var phi_4335_: bool;
-    var phi_4355_: u32;
-    var phi_4356_: u32;
-    var phi_4360_: type_58;
-    var phi_4722_: type_57;
-    var phi_4799_: type_57;
-    var phi_4800_: u32;
-    var phi_4801_: type_57;
-    var phi_4803_: u32;
-    var phi_4804_: type_57;
-    var phi_4805_: bool;
-    var phi_4814_: type_57;
-    var phi_4819_: bool;
-    var phi_4821_: type_57;
     var phi_1528_: type_39;
     var phi_1531_: type_8;
     var phi_1532_: type_8;
@@ -276,51 +256,72 @@ fn function_() {
     var phi_3553_: type_39;
     var phi_3554_: type_39;
     var phi_1529_: type_39;
-    var phi_5270_: bool;
-    var phi_5513_: bool;
-    var phi_4825_: type_39;
-    var phi_4826_: bool;
-    var phi_4827_: u32;
-    var phi_4828_: type_57;
-    var phi_5512_: bool;
-    var phi_4829_: type_39;
-    var phi_4830_: bool;
-    var phi_4831_: u32;
-    var phi_4832_: u32;
-    var phi_4833_: type_57;
-    var phi_5511_: bool;
-    var phi_4834_: type_39;
+    var phi_5274_: bool;
+    var phi_5604_: bool;
+    var phi_3555_: type_39;
+    var phi_4057_: u32;
+    var phi_4063_: u32;
+    var phi_4317_: u32;
+    var phi_4318_: u32;
+    var phi_4328_: u32;
+    var phi_4330_: u32;
+    var phi_4331_: bool;
+    var phi_4351_: u32;
+    var phi_4352_: u32;
+    var phi_4356_: type_58;
+    var phi_4718_: type_57;
+    var phi_4794_: type_57;
+    var phi_4795_: u32;
+    var phi_4796_: type_57;
+    var phi_4798_: u32;
+    var phi_4799_: type_57;
+    var phi_4800_: bool;
+    var phi_4809_: type_57;
+    var phi_4814_: bool;
+    var phi_4816_: type_57;
+    var phi_4820_: bool;
+    var phi_4821_: u32;
+    var phi_4822_: type_57;
+    var phi_4832_: type_57;
+    var phi_5516_: bool;
+    var phi_4833_: type_39;
+    var phi_4834_: u32;
     var phi_4835_: bool;
     var phi_4836_: u32;
-    var phi_4837_: u32;
-    var phi_4838_: type_57;
-    var phi_5510_: bool;
+    var phi_4837_: type_57;
+    var phi_5515_: bool;
+    var phi_4838_: type_39;
+    var phi_4839_: u32;
+    var phi_4840_: bool;
+    var phi_4841_: u32;
+    var phi_4842_: type_57;
+    var phi_5514_: bool;
     var phi_1402_: type_39;
-    var phi_1405_: bool;
-    var phi_1407_: u32;
+    var phi_1405_: u32;
+    var phi_1407_: bool;
     var phi_1409_: u32;
     var phi_1411_: type_57;
-    var phi_4839_: bool;
-    var phi_5509_: bool;
+    var phi_4843_: bool;
+    var phi_5513_: bool;
     var local_10: type_39;
-    var phi_4877_: f32;
-    var phi_4879_: f32;
-    var phi_4880_: bool;
     var phi_4881_: f32;
-    var phi_4882_: bool;
-    var phi_5178_: u32;
-    var phi_5196_: bool;
-    var phi_5199_: bool;
-    var phi_5212_: f32;
-    var phi_5213_: f32;
-    var phi_5218_: f32;
-    var phi_5219_: f32;
-    var phi_5220_: bool;
-    var phi_5228_: f32;
-    var phi_4897_: f32;
-    var phi_4898_: f32;
-    var phi_4910_: f32;
-    var phi_4915_: type_21;
+    var phi_4883_: f32;
+    var phi_4884_: bool;
+    var phi_4885_: f32;
+    var phi_4886_: bool;
+    var phi_5182_: u32;
+    var phi_5200_: bool;
+    var phi_5203_: bool;
+    var phi_5216_: f32;
+    var phi_5217_: f32;
+    var phi_5222_: f32;
+    var phi_5223_: f32;
+    var phi_5224_: bool;
+    var phi_5232_: f32;
+    var phi_4901_: f32;
+    var phi_4902_: f32;
+    var phi_4914_: f32;
+    var phi_4919_: type_21;
     var local_11: type_39;
 
     switch bitcast<i32>(0u) {
@@ -723,31 +724,31 @@ fn function_() {
                         break;
                     }
                     let _e793 = local[_e777];
-                    phi_5276_ = false;
+                    phi_5280_ = false;
                     phi_1401_ = type_39(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e759);
-                    phi_1404_ = (_e761 <= _e759);
-                    phi_1406_ = ((3u * _e106) + 1u);
+                    phi_1404_ = ((3u * _e106) + 1u);
+                    phi_1406_ = (_e761 <= _e759);
                     phi_1408_ = 0u;
                     phi_1410_ = type_57(type_33(vec4<f32>((f32(_e768) * _e165), (f32(_e774) * _e165), (f32(_e780) * _e165), 0f), vec4<f32>((f32(_e785) * _e165), (f32(_e789) * _e165), (f32(_e793) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
                     loop {
-                        let _e803 = phi_5276_;
+                        let _e803 = phi_5280_;
                         let _e805 = phi_1401_;
                         let _e807 = phi_1404_;
                         let _e809 = phi_1406_;
                         let _e811 = phi_1408_;
                         let _e813 = phi_1410_;
                         local_10 = _e805;
-                        if _e807 {
+                        if _e809 {
                             phi_1421_ = true;
                         } else {
                             phi_1421_ = (_e811 > 0u);
                         }
                         let _e816 = phi_1421_;
                         if _e816 {
-                            let _e817 = (_e809 > 0u);
+                            let _e817 = (_e807 > 0u);
                             if _e817 {
-                                if _e807 {
-                                    phi_1507_ = _e807;
+                                if _e809 {
+                                    phi_1507_ = _e809;
                                     phi_1508_ = _e811;
                                     phi_1509_ = _e813;
                                 } else {
@@ -756,49 +757,49 @@ fn function_() {
                                     let _e820 = (_e819 < 128u);
                                     if _e820 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e822 = local_7[_e819];
                                     if _e820 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e824 = local_6[_e819];
                                     if _e820 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e826 = local_5[_e819];
                                     if _e820 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e828 = local_4[_e819];
                                     if _e820 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e830 = local_3[_e819];
                                     if _e820 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e832 = local_2[_e819];
                                     if _e820 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e837 = local_8[_e819];
                                     if _e820 {
                                     } else {
-                                        phi_5509_ = true;
+                                        phi_5513_ = true;
                                         break;
                                     }
                                     let _e840 = local_9[_e819];
@@ -810,38 +811,39 @@ fn function_() {
                                 let _e846 = phi_1508_;
                                 let _e848 = phi_1509_;
                                 if _e844 {
+                                    let _e852 = ((_e848.member_1 & 2147483648u) != 0u);
                                     let _e853 = (_e848.member_1 & 268435455u);
-                                    if ((_e848.member_1 & 2147483648u) != 0u) {
+                                    if _e852 {
                                         phi_1528_ = _e805;
                                         phi_1531_ = type_8(0u, ((_e848.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1337 = phi_1528_;
-                                            let _e1339 = phi_1531_;
-                                            local_11 = _e1337;
-                                            if (_e1339.member < _e1339.member_1) {
-                                                phi_1532_ = type_8((_e1339.member + 1u), _e1339.member_1);
-                                                phi_1554_ = type_8(1u, _e1339.member);
+                                            let _e860 = phi_1528_;
+                                            let _e862 = phi_1531_;
+                                            local_11 = _e860;
+                                            if (_e862.member < _e862.member_1) {
+                                                phi_1532_ = type_8((_e862.member + 1u), _e862.member_1);
+                                                phi_1554_ = type_8(1u, _e862.member);
                                             } else {
-                                                phi_1532_ = _e1339;
+                                                phi_1532_ = _e862;
                                                 phi_1554_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1352 = phi_1532_;
-                                            let _e1354 = phi_1554_;
-                                            let _e1358 = (bitcast<i32>(_e1354.member) != 0i);
-                                            if _e1358 {
-                                                let _e1363 = (_e848.member.member_1.x - _e848.member.member.x);
-                                                let _e1366 = (_e848.member.member_1.y - _e848.member.member.y);
-                                                let _e1369 = (_e848.member.member_1.z - _e848.member.member.z);
-                                                let _e1371 = select(_e1366, _e1363, (_e1363 > _e1366));
-                                                let _e1373 = select(_e1369, _e1371, (_e1371 > _e1369));
-                                                let _e1375 = (_e1373 < (1024f * _e165));
-                                                if _e1375 {
+                                            let _e875 = phi_1532_;
+                                            let _e877 = phi_1554_;
+                                            let _e881 = (bitcast<i32>(_e877.member) != 0i);
+                                            if _e881 {
+                                                let _e886 = (_e848.member.member_1.x - _e848.member.member.x);
+                                                let _e889 = (_e848.member.member_1.y - _e848.member.member.y);
+                                                let _e892 = (_e848.member.member_1.z - _e848.member.member.z);
+                                                let _e894 = select(_e889, _e886, (_e886 > _e889));
+                                                let _e896 = select(_e892, _e894, (_e894 > _e892));
+                                                let _e898 = (_e896 < (1024f * _e165));
+                                                if _e898 {
                                                     phi_1595_ = 0u;
                                                 } else {
-                                                    phi_1595_ = select(2u, 1u, (_e1373 < (2097152f * _e165)));
+                                                    phi_1595_ = select(2u, 1u, (_e896 < (2097152f * _e165)));
                                                 }
-                                                let _e1380 = phi_1595_;
-                                                switch bitcast<i32>(_e1380) {
+                                                let _e903 = phi_1595_;
+                                                switch bitcast<i32>(_e903) {
                                                     case 0: {
                                                         phi_1601_ = 1u;
                                                         break;
@@ -859,8 +861,8 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1383 = phi_1601_;
-                                                switch bitcast<i32>(_e1380) {
+                                                let _e906 = phi_1601_;
+                                                switch bitcast<i32>(_e903) {
                                                     case 0: {
                                                         phi_1611_ = 1u;
                                                         break;
@@ -878,28 +880,28 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1390 = phi_1611_;
-                                                let _e1392 = ((_e853 + (_e1354.member_1 * ((3u * _e1383) + 1u))) + (3u * _e1390));
-                                                let _e1393 = (_e1392 < _e109);
-                                                if _e1393 {
-                                                    if _e1393 {
+                                                let _e913 = phi_1611_;
+                                                let _e915 = ((_e853 + (_e877.member_1 * ((3u * _e906) + 1u))) + (3u * _e913));
+                                                let _e916 = (_e915 < _e109);
+                                                if _e916 {
+                                                    if _e916 {
                                                     } else {
-                                                        phi_5270_ = true;
+                                                        phi_5274_ = true;
                                                         break;
                                                     }
-                                                    let _e1395 = global_10.member[_e1392];
-                                                    phi_1627_ = _e1395;
+                                                    let _e918 = global_10.member[_e915];
+                                                    phi_1627_ = _e918;
                                                 } else {
                                                     phi_1627_ = 4294967295u;
                                                 }
-                                                let _e1397 = phi_1627_;
-                                                if _e1375 {
+                                                let _e920 = phi_1627_;
+                                                if _e898 {
                                                     phi_1660_ = 0u;
                                                 } else {
-                                                    phi_1660_ = select(2u, 1u, (_e1373 < (2097152f * _e165)));
+                                                    phi_1660_ = select(2u, 1u, (_e896 < (2097152f * _e165)));
                                                 }
-                                                let _e1402 = phi_1660_;
-                                                switch bitcast<i32>(_e1402) {
+                                                let _e925 = phi_1660_;
+                                                switch bitcast<i32>(_e925) {
                                                     case 0: {
                                                         phi_1666_ = 1u;
                                                         break;
@@ -917,331 +919,331 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1405 = phi_1666_;
-                                                let _e1409 = (_e853 + (_e1354.member_1 * ((3u * _e1405) + 1u)));
-                                                switch bitcast<i32>(_e1402) {
+                                                let _e928 = phi_1666_;
+                                                let _e932 = (_e853 + (_e877.member_1 * ((3u * _e928) + 1u)));
+                                                switch bitcast<i32>(_e925) {
                                                     case 0: {
-                                                        let _e1684 = (_e1409 < _e109);
-                                                        if _e1684 {
-                                                            if _e1684 {
+                                                        let _e1207 = (_e932 < _e109);
+                                                        if _e1207 {
+                                                            if _e1207 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1686 = global_10.member[_e1409];
-                                                            phi_1693_ = _e1686;
+                                                            let _e1209 = global_10.member[_e932];
+                                                            phi_1693_ = _e1209;
                                                         } else {
                                                             phi_1693_ = 0u;
                                                         }
-                                                        let _e1688 = phi_1693_;
-                                                        let _e1690 = ((10u * _e428) & 31u);
-                                                        let _e1700 = ((10u * _e427) & 31u);
-                                                        let _e1710 = ((10u * _e429) & 31u);
-                                                        let _e1720 = (_e1409 + 1u);
-                                                        let _e1721 = (_e1720 < _e109);
-                                                        if _e1721 {
-                                                            if _e1721 {
+                                                        let _e1211 = phi_1693_;
+                                                        let _e1213 = ((10u * _e428) & 31u);
+                                                        let _e1223 = ((10u * _e427) & 31u);
+                                                        let _e1233 = ((10u * _e429) & 31u);
+                                                        let _e1243 = (_e932 + 1u);
+                                                        let _e1244 = (_e1243 < _e109);
+                                                        if _e1244 {
+                                                            if _e1244 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1723 = global_10.member[_e1720];
-                                                            phi_1742_ = _e1723;
+                                                            let _e1246 = global_10.member[_e1243];
+                                                            phi_1742_ = _e1246;
                                                         } else {
                                                             phi_1742_ = 0u;
                                                         }
-                                                        let _e1725 = phi_1742_;
-                                                        let _e1751 = (_e1409 + 2u);
-                                                        let _e1752 = (_e1751 < _e109);
-                                                        if _e1752 {
-                                                            if _e1752 {
+                                                        let _e1248 = phi_1742_;
+                                                        let _e1274 = (_e932 + 2u);
+                                                        let _e1275 = (_e1274 < _e109);
+                                                        if _e1275 {
+                                                            if _e1275 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1754 = global_10.member[_e1751];
-                                                            phi_1791_ = _e1754;
+                                                            let _e1277 = global_10.member[_e1274];
+                                                            phi_1791_ = _e1277;
                                                         } else {
                                                             phi_1791_ = 0u;
                                                         }
-                                                        let _e1756 = phi_1791_;
-                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | ((_e1688 >> bitcast<u32>(_e1690)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | ((_e1688 >> bitcast<u32>(_e1700)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | ((_e1688 >> bitcast<u32>(_e1710)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | ((_e1725 >> bitcast<u32>(_e1690)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | ((_e1725 >> bitcast<u32>(_e1700)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | ((_e1725 >> bitcast<u32>(_e1710)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | ((_e1756 >> bitcast<u32>(_e1690)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | ((_e1756 >> bitcast<u32>(_e1700)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | ((_e1756 >> bitcast<u32>(_e1710)) & 1023u))) - 8388608f) * _e165))));
+                                                        let _e1279 = phi_1791_;
+                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | ((_e1211 >> bitcast<u32>(_e1213)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | ((_e1211 >> bitcast<u32>(_e1223)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | ((_e1211 >> bitcast<u32>(_e1233)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | ((_e1248 >> bitcast<u32>(_e1213)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | ((_e1248 >> bitcast<u32>(_e1223)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | ((_e1248 >> bitcast<u32>(_e1233)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | ((_e1279 >> bitcast<u32>(_e1213)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | ((_e1279 >> bitcast<u32>(_e1223)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | ((_e1279 >> bitcast<u32>(_e1233)) & 1023u))) - 8388608f) * _e165))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1498 = (_e1409 < _e109);
-                                                        if _e1498 {
-                                                            if _e1498 {
+                                                        let _e1021 = (_e932 < _e109);
+                                                        if _e1021 {
+                                                            if _e1021 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1500 = global_10.member[_e1409];
-                                                            phi_1840_ = _e1500;
+                                                            let _e1023 = global_10.member[_e932];
+                                                            phi_1840_ = _e1023;
                                                         } else {
                                                             phi_1840_ = 0u;
                                                         }
-                                                        let _e1502 = phi_1840_;
-                                                        let _e1503 = (_e1409 + 1u);
-                                                        let _e1504 = (_e1503 < _e109);
-                                                        if _e1504 {
-                                                            if _e1504 {
+                                                        let _e1025 = phi_1840_;
+                                                        let _e1026 = (_e932 + 1u);
+                                                        let _e1027 = (_e1026 < _e109);
+                                                        if _e1027 {
+                                                            if _e1027 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1506 = global_10.member[_e1503];
-                                                            phi_1855_ = _e1506;
+                                                            let _e1029 = global_10.member[_e1026];
+                                                            phi_1855_ = _e1029;
                                                         } else {
                                                             phi_1855_ = 0u;
                                                         }
-                                                        let _e1508 = phi_1855_;
-                                                        let _e1509 = (_e428 == 1u);
-                                                        if _e1509 {
-                                                            phi_1865_ = ((_e1502 >> bitcast<u32>(21i)) | (_e1508 << bitcast<u32>(11i)));
+                                                        let _e1031 = phi_1855_;
+                                                        let _e1032 = (_e428 == 1u);
+                                                        if _e1032 {
+                                                            phi_1865_ = ((_e1025 >> bitcast<u32>(21i)) | (_e1031 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1865_ = (_e1508 >> bitcast<u32>(10i));
+                                                            phi_1865_ = (_e1031 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1518 = phi_1865_;
-                                                        let _e1526 = (_e427 == 1u);
-                                                        if _e1526 {
-                                                            phi_1886_ = ((_e1502 >> bitcast<u32>(21i)) | (_e1508 << bitcast<u32>(11i)));
+                                                        let _e1041 = phi_1865_;
+                                                        let _e1049 = (_e427 == 1u);
+                                                        if _e1049 {
+                                                            phi_1886_ = ((_e1025 >> bitcast<u32>(21i)) | (_e1031 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1886_ = (_e1508 >> bitcast<u32>(10i));
+                                                            phi_1886_ = (_e1031 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1535 = phi_1886_;
-                                                        let _e1543 = (_e429 == 1u);
-                                                        if _e1543 {
-                                                            phi_1907_ = ((_e1502 >> bitcast<u32>(21i)) | (_e1508 << bitcast<u32>(11i)));
+                                                        let _e1058 = phi_1886_;
+                                                        let _e1066 = (_e429 == 1u);
+                                                        if _e1066 {
+                                                            phi_1907_ = ((_e1025 >> bitcast<u32>(21i)) | (_e1031 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1907_ = (_e1508 >> bitcast<u32>(10i));
+                                                            phi_1907_ = (_e1031 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1552 = phi_1907_;
-                                                        let _e1561 = (_e1409 + 2u);
-                                                        let _e1562 = (_e1561 < _e109);
-                                                        if _e1562 {
-                                                            if _e1562 {
+                                                        let _e1075 = phi_1907_;
+                                                        let _e1084 = (_e932 + 2u);
+                                                        let _e1085 = (_e1084 < _e109);
+                                                        if _e1085 {
+                                                            if _e1085 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1564 = global_10.member[_e1561];
-                                                            phi_1937_ = _e1564;
+                                                            let _e1087 = global_10.member[_e1084];
+                                                            phi_1937_ = _e1087;
                                                         } else {
                                                             phi_1937_ = 0u;
                                                         }
-                                                        let _e1566 = phi_1937_;
-                                                        let _e1567 = (_e1409 + 3u);
-                                                        let _e1568 = (_e1567 < _e109);
-                                                        if _e1568 {
-                                                            if _e1568 {
+                                                        let _e1089 = phi_1937_;
+                                                        let _e1090 = (_e932 + 3u);
+                                                        let _e1091 = (_e1090 < _e109);
+                                                        if _e1091 {
+                                                            if _e1091 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1570 = global_10.member[_e1567];
-                                                            phi_1952_ = _e1570;
+                                                            let _e1093 = global_10.member[_e1090];
+                                                            phi_1952_ = _e1093;
                                                         } else {
                                                             phi_1952_ = 0u;
                                                         }
-                                                        let _e1572 = phi_1952_;
-                                                        if _e1509 {
-                                                            phi_1962_ = ((_e1566 >> bitcast<u32>(21i)) | (_e1572 << bitcast<u32>(11i)));
+                                                        let _e1095 = phi_1952_;
+                                                        if _e1032 {
+                                                            phi_1962_ = ((_e1089 >> bitcast<u32>(21i)) | (_e1095 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1962_ = (_e1572 >> bitcast<u32>(10i));
+                                                            phi_1962_ = (_e1095 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1581 = phi_1962_;
-                                                        if _e1526 {
-                                                            phi_1983_ = ((_e1566 >> bitcast<u32>(21i)) | (_e1572 << bitcast<u32>(11i)));
+                                                        let _e1104 = phi_1962_;
+                                                        if _e1049 {
+                                                            phi_1983_ = ((_e1089 >> bitcast<u32>(21i)) | (_e1095 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1983_ = (_e1572 >> bitcast<u32>(10i));
+                                                            phi_1983_ = (_e1095 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1597 = phi_1983_;
-                                                        if _e1543 {
-                                                            phi_2004_ = ((_e1566 >> bitcast<u32>(21i)) | (_e1572 << bitcast<u32>(11i)));
+                                                        let _e1120 = phi_1983_;
+                                                        if _e1066 {
+                                                            phi_2004_ = ((_e1089 >> bitcast<u32>(21i)) | (_e1095 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2004_ = (_e1572 >> bitcast<u32>(10i));
+                                                            phi_2004_ = (_e1095 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1613 = phi_2004_;
-                                                        let _e1622 = (_e1409 + 4u);
-                                                        let _e1623 = (_e1622 < _e109);
-                                                        if _e1623 {
-                                                            if _e1623 {
+                                                        let _e1136 = phi_2004_;
+                                                        let _e1145 = (_e932 + 4u);
+                                                        let _e1146 = (_e1145 < _e109);
+                                                        if _e1146 {
+                                                            if _e1146 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1625 = global_10.member[_e1622];
-                                                            phi_2034_ = _e1625;
+                                                            let _e1148 = global_10.member[_e1145];
+                                                            phi_2034_ = _e1148;
                                                         } else {
                                                             phi_2034_ = 0u;
                                                         }
-                                                        let _e1627 = phi_2034_;
-                                                        let _e1628 = (_e1409 + 5u);
-                                                        let _e1629 = (_e1628 < _e109);
-                                                        if _e1629 {
-                                                            if _e1629 {
+                                                        let _e1150 = phi_2034_;
+                                                        let _e1151 = (_e932 + 5u);
+                                                        let _e1152 = (_e1151 < _e109);
+                                                        if _e1152 {
+                                                            if _e1152 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1631 = global_10.member[_e1628];
-                                                            phi_2049_ = _e1631;
+                                                            let _e1154 = global_10.member[_e1151];
+                                                            phi_2049_ = _e1154;
                                                         } else {
                                                             phi_2049_ = 0u;
                                                         }
-                                                        let _e1633 = phi_2049_;
-                                                        if _e1509 {
-                                                            phi_2059_ = ((_e1627 >> bitcast<u32>(21i)) | (_e1633 << bitcast<u32>(11i)));
+                                                        let _e1156 = phi_2049_;
+                                                        if _e1032 {
+                                                            phi_2059_ = ((_e1150 >> bitcast<u32>(21i)) | (_e1156 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2059_ = (_e1633 >> bitcast<u32>(10i));
+                                                            phi_2059_ = (_e1156 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1642 = phi_2059_;
-                                                        if _e1526 {
-                                                            phi_2080_ = ((_e1627 >> bitcast<u32>(21i)) | (_e1633 << bitcast<u32>(11i)));
+                                                        let _e1165 = phi_2059_;
+                                                        if _e1049 {
+                                                            phi_2080_ = ((_e1150 >> bitcast<u32>(21i)) | (_e1156 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2080_ = (_e1633 >> bitcast<u32>(10i));
+                                                            phi_2080_ = (_e1156 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1658 = phi_2080_;
-                                                        if _e1543 {
-                                                            phi_2101_ = ((_e1627 >> bitcast<u32>(21i)) | (_e1633 << bitcast<u32>(11i)));
+                                                        let _e1181 = phi_2080_;
+                                                        if _e1066 {
+                                                            phi_2101_ = ((_e1150 >> bitcast<u32>(21i)) | (_e1156 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2101_ = (_e1633 >> bitcast<u32>(10i));
+                                                            phi_2101_ = (_e1156 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1674 = phi_2101_;
-                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1518, _e1502, _e452) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1535, _e1502, _e519) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1552, _e1502, _e585) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1581, _e1566, _e452) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1597, _e1566, _e519) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1613, _e1566, _e585) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1642, _e1627, _e452) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1658, _e1627, _e519) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1674, _e1627, _e585) & 2097151u))) - 8388608f) * _e165))));
+                                                        let _e1197 = phi_2101_;
+                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1041, _e1025, _e452) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1058, _e1025, _e519) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1075, _e1025, _e585) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1104, _e1089, _e452) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1120, _e1089, _e519) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1136, _e1089, _e585) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1165, _e1150, _e452) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1181, _e1150, _e519) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1197, _e1150, _e585) & 2097151u))) - 8388608f) * _e165))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1411 = (_e1409 + _e428);
-                                                        let _e1412 = (_e1411 < _e109);
-                                                        if _e1412 {
-                                                            if _e1412 {
+                                                        let _e934 = (_e932 + _e428);
+                                                        let _e935 = (_e934 < _e109);
+                                                        if _e935 {
+                                                            if _e935 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1414 = global_10.member[_e1411];
-                                                            phi_2132_ = _e1414;
+                                                            let _e937 = global_10.member[_e934];
+                                                            phi_2132_ = _e937;
                                                         } else {
                                                             phi_2132_ = 0u;
                                                         }
-                                                        let _e1416 = phi_2132_;
-                                                        let _e1420 = (_e1409 + _e427);
-                                                        let _e1421 = (_e1420 < _e109);
-                                                        if _e1421 {
-                                                            if _e1421 {
+                                                        let _e939 = phi_2132_;
+                                                        let _e943 = (_e932 + _e427);
+                                                        let _e944 = (_e943 < _e109);
+                                                        if _e944 {
+                                                            if _e944 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1423 = global_10.member[_e1420];
-                                                            phi_2150_ = _e1423;
+                                                            let _e946 = global_10.member[_e943];
+                                                            phi_2150_ = _e946;
                                                         } else {
                                                             phi_2150_ = 0u;
                                                         }
-                                                        let _e1425 = phi_2150_;
-                                                        let _e1429 = (_e1409 + _e429);
-                                                        let _e1430 = (_e1429 < _e109);
-                                                        if _e1430 {
-                                                            if _e1430 {
+                                                        let _e948 = phi_2150_;
+                                                        let _e952 = (_e932 + _e429);
+                                                        let _e953 = (_e952 < _e109);
+                                                        if _e953 {
+                                                            if _e953 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1432 = global_10.member[_e1429];
-                                                            phi_2168_ = _e1432;
+                                                            let _e955 = global_10.member[_e952];
+                                                            phi_2168_ = _e955;
                                                         } else {
                                                             phi_2168_ = 0u;
                                                         }
-                                                        let _e1434 = phi_2168_;
-                                                        let _e1439 = (_e1409 + 3u);
-                                                        let _e1440 = (_e1439 + _e428);
-                                                        let _e1441 = (_e1440 < _e109);
-                                                        if _e1441 {
-                                                            if _e1441 {
+                                                        let _e957 = phi_2168_;
+                                                        let _e962 = (_e932 + 3u);
+                                                        let _e963 = (_e962 + _e428);
+                                                        let _e964 = (_e963 < _e109);
+                                                        if _e964 {
+                                                            if _e964 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1443 = global_10.member[_e1440];
-                                                            phi_2191_ = _e1443;
+                                                            let _e966 = global_10.member[_e963];
+                                                            phi_2191_ = _e966;
                                                         } else {
                                                             phi_2191_ = 0u;
                                                         }
-                                                        let _e1445 = phi_2191_;
-                                                        let _e1449 = (_e1439 + _e427);
-                                                        let _e1450 = (_e1449 < _e109);
-                                                        if _e1450 {
-                                                            if _e1450 {
+                                                        let _e968 = phi_2191_;
+                                                        let _e972 = (_e962 + _e427);
+                                                        let _e973 = (_e972 < _e109);
+                                                        if _e973 {
+                                                            if _e973 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1452 = global_10.member[_e1449];
-                                                            phi_2209_ = _e1452;
+                                                            let _e975 = global_10.member[_e972];
+                                                            phi_2209_ = _e975;
                                                         } else {
                                                             phi_2209_ = 0u;
                                                         }
-                                                        let _e1454 = phi_2209_;
-                                                        let _e1458 = (_e1439 + _e429);
-                                                        let _e1459 = (_e1458 < _e109);
-                                                        if _e1459 {
-                                                            if _e1459 {
+                                                        let _e977 = phi_2209_;
+                                                        let _e981 = (_e962 + _e429);
+                                                        let _e982 = (_e981 < _e109);
+                                                        if _e982 {
+                                                            if _e982 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1461 = global_10.member[_e1458];
-                                                            phi_2227_ = _e1461;
+                                                            let _e984 = global_10.member[_e981];
+                                                            phi_2227_ = _e984;
                                                         } else {
                                                             phi_2227_ = 0u;
                                                         }
-                                                        let _e1463 = phi_2227_;
-                                                        let _e1468 = (_e1409 + 6u);
-                                                        let _e1469 = (_e1468 + _e428);
-                                                        let _e1470 = (_e1469 < _e109);
-                                                        if _e1470 {
-                                                            if _e1470 {
+                                                        let _e986 = phi_2227_;
+                                                        let _e991 = (_e932 + 6u);
+                                                        let _e992 = (_e991 + _e428);
+                                                        let _e993 = (_e992 < _e109);
+                                                        if _e993 {
+                                                            if _e993 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1472 = global_10.member[_e1469];
-                                                            phi_2250_ = _e1472;
+                                                            let _e995 = global_10.member[_e992];
+                                                            phi_2250_ = _e995;
                                                         } else {
                                                             phi_2250_ = 0u;
                                                         }
-                                                        let _e1474 = phi_2250_;
-                                                        let _e1478 = (_e1468 + _e427);
-                                                        let _e1479 = (_e1478 < _e109);
-                                                        if _e1479 {
-                                                            if _e1479 {
+                                                        let _e997 = phi_2250_;
+                                                        let _e1001 = (_e991 + _e427);
+                                                        let _e1002 = (_e1001 < _e109);
+                                                        if _e1002 {
+                                                            if _e1002 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1481 = global_10.member[_e1478];
-                                                            phi_2268_ = _e1481;
+                                                            let _e1004 = global_10.member[_e1001];
+                                                            phi_2268_ = _e1004;
                                                         } else {
                                                             phi_2268_ = 0u;
                                                         }
-                                                        let _e1483 = phi_2268_;
-                                                        let _e1487 = (_e1468 + _e429);
-                                                        let _e1488 = (_e1487 < _e109);
-                                                        if _e1488 {
-                                                            if _e1488 {
+                                                        let _e1006 = phi_2268_;
+                                                        let _e1010 = (_e991 + _e429);
+                                                        let _e1011 = (_e1010 < _e109);
+                                                        if _e1011 {
+                                                            if _e1011 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e1490 = global_10.member[_e1487];
-                                                            phi_2286_ = _e1490;
+                                                            let _e1013 = global_10.member[_e1010];
+                                                            phi_2286_ = _e1013;
                                                         } else {
                                                             phi_2286_ = 0u;
                                                         }
-                                                        let _e1492 = phi_2286_;
-                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1416)) * _e165), (f32(bitcast<i32>(_e1425)) * _e165), (f32(bitcast<i32>(_e1434)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1445)) * _e165), (f32(bitcast<i32>(_e1454)) * _e165), (f32(bitcast<i32>(_e1463)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1474)) * _e165), (f32(bitcast<i32>(_e1483)) * _e165), (f32(bitcast<i32>(_e1492)) * _e165)));
+                                                        let _e1015 = phi_2286_;
+                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e939)) * _e165), (f32(bitcast<i32>(_e948)) * _e165), (f32(bitcast<i32>(_e957)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e968)) * _e165), (f32(bitcast<i32>(_e977)) * _e165), (f32(bitcast<i32>(_e986)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e997)) * _e165), (f32(bitcast<i32>(_e1006)) * _e165), (f32(bitcast<i32>(_e1015)) * _e165)));
                                                         break;
                                                     }
                                                     default: {
@@ -1249,1012 +1251,1021 @@ fn function_() {
                                                         break;
                                                     }
                                                 }
-                                                let _e1784 = phi_2292_;
-                                                let _e1792 = (_e1784[0][2] - _e608);
-                                                let _e1795 = (((_e1784[0][0] - _e475) * _e647) - (_e1792 * _e515));
-                                                let _e1798 = (((_e1784[0][1] - _e542) * _e647) - (_e1792 * _e581));
-                                                let _e1805 = (_e1784[1][2] - _e608);
-                                                let _e1808 = (((_e1784[1][0] - _e475) * _e647) - (_e1805 * _e515));
-                                                let _e1811 = (((_e1784[1][1] - _e542) * _e647) - (_e1805 * _e581));
-                                                let _e1818 = (_e1784[2][2] - _e608);
-                                                let _e1821 = (((_e1784[2][0] - _e475) * _e647) - (_e1818 * _e515));
-                                                let _e1824 = (((_e1784[2][1] - _e542) * _e647) - (_e1818 * _e581));
-                                                let _e1825 = (_e1821 * _e1811);
-                                                let _e1826 = (_e1824 * _e1808);
-                                                let _e1827 = (_e1795 * _e1824);
-                                                let _e1828 = (_e1798 * _e1821);
-                                                let _e1829 = (_e1808 * _e1798);
-                                                let _e1830 = (_e1811 * _e1795);
-                                                let _e1835 = (((_e1825 >= _e1826) && (_e1827 >= _e1828)) && (_e1829 >= _e1830));
-                                                if (_e1835 || (((_e1825 <= _e1826) && (_e1827 <= _e1828)) && (_e1829 <= _e1830))) {
-                                                    let _e1842 = select(-1f, 1f, _e1835);
-                                                    let _e1844 = ((_e1825 - _e1826) * _e1842);
-                                                    let _e1846 = select(0f, _e1844, (_e1844 > 0f));
-                                                    let _e1848 = ((_e1827 - _e1828) * _e1842);
-                                                    let _e1850 = select(0f, _e1848, (_e1848 > 0f));
-                                                    let _e1852 = ((_e1829 - _e1830) * _e1842);
-                                                    let _e1854 = select(0f, _e1852, (_e1852 > 0f));
-                                                    let _e1856 = ((_e1846 + _e1850) + _e1854);
-                                                    if (_e1856 < 0.000000000000000000000000000000000000011754944f) {
+                                                let _e1307 = phi_2292_;
+                                                let _e1315 = (_e1307[0][2] - _e608);
+                                                let _e1318 = (((_e1307[0][0] - _e475) * _e647) - (_e1315 * _e515));
+                                                let _e1321 = (((_e1307[0][1] - _e542) * _e647) - (_e1315 * _e581));
+                                                let _e1328 = (_e1307[1][2] - _e608);
+                                                let _e1331 = (((_e1307[1][0] - _e475) * _e647) - (_e1328 * _e515));
+                                                let _e1334 = (((_e1307[1][1] - _e542) * _e647) - (_e1328 * _e581));
+                                                let _e1341 = (_e1307[2][2] - _e608);
+                                                let _e1344 = (((_e1307[2][0] - _e475) * _e647) - (_e1341 * _e515));
+                                                let _e1347 = (((_e1307[2][1] - _e542) * _e647) - (_e1341 * _e581));
+                                                let _e1348 = (_e1344 * _e1334);
+                                                let _e1349 = (_e1347 * _e1331);
+                                                let _e1350 = (_e1318 * _e1347);
+                                                let _e1351 = (_e1321 * _e1344);
+                                                let _e1352 = (_e1331 * _e1321);
+                                                let _e1353 = (_e1334 * _e1318);
+                                                let _e1358 = (((_e1348 >= _e1349) && (_e1350 >= _e1351)) && (_e1352 >= _e1353));
+                                                if (_e1358 || (((_e1348 <= _e1349) && (_e1350 <= _e1351)) && (_e1352 <= _e1353))) {
+                                                    let _e1365 = select(-1f, 1f, _e1358);
+                                                    let _e1367 = ((_e1348 - _e1349) * _e1365);
+                                                    let _e1369 = select(0f, _e1367, (_e1367 > 0f));
+                                                    let _e1371 = ((_e1350 - _e1351) * _e1365);
+                                                    let _e1373 = select(0f, _e1371, (_e1371 > 0f));
+                                                    let _e1375 = ((_e1352 - _e1353) * _e1365);
+                                                    let _e1377 = select(0f, _e1375, (_e1375 > 0f));
+                                                    let _e1379 = ((_e1369 + _e1373) + _e1377);
+                                                    if (_e1379 < 0.000000000000000000000000000000000000011754944f) {
                                                         phi_3176_ = type_21();
                                                         phi_3177_ = true;
                                                         phi_3178_ = false;
                                                     } else {
-                                                        let _e1859 = select(_e1808, _e1795, (_e1795 < _e1808));
-                                                        if (select(_e1821, _e1859, (_e1859 < _e1821)) > 0f) {
+                                                        let _e1382 = select(_e1331, _e1318, (_e1318 < _e1331));
+                                                        if (select(_e1344, _e1382, (_e1382 < _e1344)) > 0f) {
                                                             phi_2444_ = true;
                                                         } else {
-                                                            let _e1864 = select(_e1808, _e1795, (_e1795 > _e1808));
-                                                            phi_2444_ = (select(_e1821, _e1864, (_e1864 > _e1821)) < 0f);
+                                                            let _e1387 = select(_e1331, _e1318, (_e1318 > _e1331));
+                                                            phi_2444_ = (select(_e1344, _e1387, (_e1387 > _e1344)) < 0f);
                                                         }
-                                                        let _e1869 = phi_2444_;
-                                                        if _e1869 {
+                                                        let _e1392 = phi_2444_;
+                                                        if _e1392 {
                                                             phi_3173_ = type_21();
                                                             phi_3174_ = true;
                                                             phi_3175_ = false;
                                                         } else {
-                                                            let _e1871 = select(_e1811, _e1798, (_e1798 < _e1811));
-                                                            if (select(_e1824, _e1871, (_e1871 < _e1824)) > 0f) {
+                                                            let _e1394 = select(_e1334, _e1321, (_e1321 < _e1334));
+                                                            if (select(_e1347, _e1394, (_e1394 < _e1347)) > 0f) {
                                                                 phi_2473_ = true;
                                                             } else {
-                                                                let _e1876 = select(_e1811, _e1798, (_e1798 > _e1811));
-                                                                phi_2473_ = (select(_e1824, _e1876, (_e1876 > _e1824)) < 0f);
+                                                                let _e1399 = select(_e1334, _e1321, (_e1321 > _e1334));
+                                                                phi_2473_ = (select(_e1347, _e1399, (_e1399 > _e1347)) < 0f);
                                                             }
-                                                            let _e1881 = phi_2473_;
-                                                            if _e1881 {
+                                                            let _e1404 = phi_2473_;
+                                                            if _e1404 {
                                                                 phi_3171_ = type_21();
                                                                 phi_3172_ = false;
                                                             } else {
-                                                                let _e1883 = select(_e1784[1][0], _e1784[0][0], (_e1784[0][0] < _e1784[1][0]));
-                                                                let _e1887 = select(_e1784[1][0], _e1784[0][0], (_e1784[0][0] > _e1784[1][0]));
-                                                                let _e1891 = select(_e1784[1][1], _e1784[0][1], (_e1784[0][1] < _e1784[1][1]));
-                                                                let _e1895 = select(_e1784[1][1], _e1784[0][1], (_e1784[0][1] > _e1784[1][1]));
-                                                                let _e1899 = select(_e1784[1][2], _e1784[0][2], (_e1784[0][2] < _e1784[1][2]));
-                                                                let _e1903 = select(_e1784[1][2], _e1784[0][2], (_e1784[0][2] > _e1784[1][2]));
-                                                                let _e1908 = ((select(_e1784[2][0], _e1883, (_e1883 < _e1784[2][0])) - _e513) * _e518);
-                                                                let _e1909 = ((select(_e1784[2][0], _e1887, (_e1887 > _e1784[2][0])) - _e514) * _e518);
-                                                                let _e1912 = ((select(_e1784[2][1], _e1891, (_e1891 < _e1784[2][1])) - _e579) * _e584);
-                                                                let _e1913 = ((select(_e1784[2][1], _e1895, (_e1895 > _e1784[2][1])) - _e580) * _e584);
-                                                                let _e1916 = ((select(_e1784[2][2], _e1899, (_e1899 < _e1784[2][2])) - _e645) * _e650);
-                                                                let _e1917 = ((select(_e1784[2][2], _e1903, (_e1903 > _e1784[2][2])) - _e646) * _e650);
-                                                                let _e1919 = select(_e1917, _e1916, (_e1916 < _e1917));
-                                                                let _e1921 = select(_e1917, _e1916, (_e1916 > _e1917));
-                                                                let _e1923 = select(_e1909, _e1908, (_e1908 < _e1909));
-                                                                let _e1925 = select(_e1913, _e1912, (_e1912 < _e1913));
-                                                                let _e1927 = select(_e1925, _e1923, (_e1923 > _e1925));
-                                                                let _e1929 = select(_e1919, _e1927, (_e1927 > _e1919));
-                                                                let _e1931 = select(_e1909, _e1908, (_e1908 > _e1909));
-                                                                let _e1933 = select(_e1913, _e1912, (_e1912 > _e1913));
-                                                                let _e1935 = select(_e1933, _e1931, (_e1931 < _e1933));
-                                                                let _e1937 = select(_e1921, _e1935, (_e1935 < _e1921));
-                                                                let _e1938 = -(_e1919);
-                                                                let _e1944 = select(_e761, _e1929, (_e1929 > _e761));
-                                                                if (_e1944 > (_e1937 + (select(_e1938, _e1921, (_e1921 > _e1938)) * 0.0000019073523f))) {
+                                                                let _e1406 = select(_e1307[1][0], _e1307[0][0], (_e1307[0][0] < _e1307[1][0]));
+                                                                let _e1410 = select(_e1307[1][0], _e1307[0][0], (_e1307[0][0] > _e1307[1][0]));
+                                                                let _e1414 = select(_e1307[1][1], _e1307[0][1], (_e1307[0][1] < _e1307[1][1]));
+                                                                let _e1418 = select(_e1307[1][1], _e1307[0][1], (_e1307[0][1] > _e1307[1][1]));
+                                                                let _e1422 = select(_e1307[1][2], _e1307[0][2], (_e1307[0][2] < _e1307[1][2]));
+                                                                let _e1426 = select(_e1307[1][2], _e1307[0][2], (_e1307[0][2] > _e1307[1][2]));
+                                                                let _e1431 = ((select(_e1307[2][0], _e1406, (_e1406 < _e1307[2][0])) - _e513) * _e518);
+                                                                let _e1432 = ((select(_e1307[2][0], _e1410, (_e1410 > _e1307[2][0])) - _e514) * _e518);
+                                                                let _e1435 = ((select(_e1307[2][1], _e1414, (_e1414 < _e1307[2][1])) - _e579) * _e584);
+                                                                let _e1436 = ((select(_e1307[2][1], _e1418, (_e1418 > _e1307[2][1])) - _e580) * _e584);
+                                                                let _e1439 = ((select(_e1307[2][2], _e1422, (_e1422 < _e1307[2][2])) - _e645) * _e650);
+                                                                let _e1440 = ((select(_e1307[2][2], _e1426, (_e1426 > _e1307[2][2])) - _e646) * _e650);
+                                                                let _e1442 = select(_e1440, _e1439, (_e1439 < _e1440));
+                                                                let _e1444 = select(_e1440, _e1439, (_e1439 > _e1440));
+                                                                let _e1446 = select(_e1432, _e1431, (_e1431 < _e1432));
+                                                                let _e1448 = select(_e1436, _e1435, (_e1435 < _e1436));
+                                                                let _e1450 = select(_e1448, _e1446, (_e1446 > _e1448));
+                                                                let _e1452 = select(_e1442, _e1450, (_e1450 > _e1442));
+                                                                let _e1454 = select(_e1432, _e1431, (_e1431 > _e1432));
+                                                                let _e1456 = select(_e1436, _e1435, (_e1435 > _e1436));
+                                                                let _e1458 = select(_e1456, _e1454, (_e1454 < _e1456));
+                                                                let _e1460 = select(_e1444, _e1458, (_e1458 < _e1444));
+                                                                let _e1461 = -(_e1442);
+                                                                let _e1467 = select(_e761, _e1452, (_e1452 > _e761));
+                                                                if (_e1467 > (_e1460 + (select(_e1461, _e1444, (_e1444 > _e1461)) * 0.0000019073523f))) {
                                                                     phi_3166_ = type_21();
                                                                     phi_3167_ = true;
                                                                 } else {
-                                                                    let _e1946 = (_e1944 > _e1337.member_1);
-                                                                    if _e1946 {
+                                                                    let _e1469 = (_e1467 > _e860.member_1);
+                                                                    if _e1469 {
                                                                         phi_3165_ = type_21();
                                                                     } else {
-                                                                        let _e1947 = vec3<f32>(_e1784[0][0], _e1784[0][1], _e1784[0][2]);
-                                                                        let _e1948 = vec3<f32>(_e1784[1][0], _e1784[1][1], _e1784[1][2]);
-                                                                        let _e1949 = vec3<f32>(_e1784[2][0], _e1784[2][1], _e1784[2][2]);
-                                                                        let _e1950 = (_e1784[1][0] - _e1784[0][0]);
-                                                                        let _e1951 = (_e1784[1][1] - _e1784[0][1]);
-                                                                        let _e1952 = (_e1784[1][2] - _e1784[0][2]);
-                                                                        let _e1953 = vec3<f32>(_e1950, _e1951, _e1952);
-                                                                        let _e1954 = (_e1784[2][0] - _e1784[1][0]);
-                                                                        let _e1955 = (_e1784[2][1] - _e1784[1][1]);
-                                                                        let _e1956 = (_e1784[2][2] - _e1784[1][2]);
-                                                                        let _e1957 = vec3<f32>(_e1954, _e1955, _e1956);
-                                                                        let _e1958 = (_e1784[0][0] - _e1784[2][0]);
-                                                                        let _e1959 = (_e1784[0][1] - _e1784[2][1]);
-                                                                        let _e1960 = (_e1784[0][2] - _e1784[2][2]);
-                                                                        let _e1961 = vec3<f32>(_e1958, _e1959, _e1960);
-                                                                        let _e1964 = bitcast<f32>((bitcast<u32>(_e1950) & 2147483647u));
-                                                                        let _e1967 = bitcast<f32>((bitcast<u32>(_e1951) & 2147483647u));
-                                                                        let _e1969 = select(_e1967, _e1964, (_e1964 > _e1967));
-                                                                        let _e1972 = bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u));
-                                                                        let _e1974 = select(_e1972, _e1969, (_e1969 > _e1972));
-                                                                        let _e1977 = bitcast<f32>((bitcast<u32>(_e1954) & 2147483647u));
-                                                                        let _e1980 = bitcast<f32>((bitcast<u32>(_e1955) & 2147483647u));
-                                                                        let _e1982 = select(_e1980, _e1977, (_e1977 > _e1980));
-                                                                        let _e1985 = bitcast<f32>((bitcast<u32>(_e1956) & 2147483647u));
-                                                                        let _e1987 = select(_e1985, _e1982, (_e1982 > _e1985));
-                                                                        let _e1990 = bitcast<f32>((bitcast<u32>(_e1958) & 2147483647u));
-                                                                        let _e1993 = bitcast<f32>((bitcast<u32>(_e1959) & 2147483647u));
-                                                                        let _e1995 = select(_e1993, _e1990, (_e1990 > _e1993));
-                                                                        let _e1998 = bitcast<f32>((bitcast<u32>(_e1960) & 2147483647u));
-                                                                        let _e2000 = select(_e1998, _e1995, (_e1995 > _e1998));
-                                                                        let _e2002 = select(_e1987, _e1974, (_e1974 > _e1987));
-                                                                        let _e2004 = select(_e2000, _e2002, (_e2002 > _e2000));
-                                                                        if (_e1974 == _e2004) {
-                                                                            phi_2892_ = _e1811;
-                                                                            phi_2893_ = _e1808;
-                                                                            phi_2894_ = _e1798;
-                                                                            phi_2895_ = _e1795;
-                                                                            phi_2896_ = _e1947;
-                                                                            phi_2897_ = _e1961;
-                                                                            phi_2898_ = _e1957;
-                                                                            phi_2899_ = _e1953;
+                                                                        let _e1470 = vec3<f32>(_e1307[0][0], _e1307[0][1], _e1307[0][2]);
+                                                                        let _e1471 = vec3<f32>(_e1307[1][0], _e1307[1][1], _e1307[1][2]);
+                                                                        let _e1472 = vec3<f32>(_e1307[2][0], _e1307[2][1], _e1307[2][2]);
+                                                                        let _e1473 = (_e1307[1][0] - _e1307[0][0]);
+                                                                        let _e1474 = (_e1307[1][1] - _e1307[0][1]);
+                                                                        let _e1475 = (_e1307[1][2] - _e1307[0][2]);
+                                                                        let _e1476 = vec3<f32>(_e1473, _e1474, _e1475);
+                                                                        let _e1477 = (_e1307[2][0] - _e1307[1][0]);
+                                                                        let _e1478 = (_e1307[2][1] - _e1307[1][1]);
+                                                                        let _e1479 = (_e1307[2][2] - _e1307[1][2]);
+                                                                        let _e1480 = vec3<f32>(_e1477, _e1478, _e1479);
+                                                                        let _e1481 = (_e1307[0][0] - _e1307[2][0]);
+                                                                        let _e1482 = (_e1307[0][1] - _e1307[2][1]);
+                                                                        let _e1483 = (_e1307[0][2] - _e1307[2][2]);
+                                                                        let _e1484 = vec3<f32>(_e1481, _e1482, _e1483);
+                                                                        let _e1487 = bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u));
+                                                                        let _e1490 = bitcast<f32>((bitcast<u32>(_e1474) & 2147483647u));
+                                                                        let _e1492 = select(_e1490, _e1487, (_e1487 > _e1490));
+                                                                        let _e1495 = bitcast<f32>((bitcast<u32>(_e1475) & 2147483647u));
+                                                                        let _e1497 = select(_e1495, _e1492, (_e1492 > _e1495));
+                                                                        let _e1500 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
+                                                                        let _e1503 = bitcast<f32>((bitcast<u32>(_e1478) & 2147483647u));
+                                                                        let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
+                                                                        let _e1508 = bitcast<f32>((bitcast<u32>(_e1479) & 2147483647u));
+                                                                        let _e1510 = select(_e1508, _e1505, (_e1505 > _e1508));
+                                                                        let _e1513 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
+                                                                        let _e1516 = bitcast<f32>((bitcast<u32>(_e1482) & 2147483647u));
+                                                                        let _e1518 = select(_e1516, _e1513, (_e1513 > _e1516));
+                                                                        let _e1521 = bitcast<f32>((bitcast<u32>(_e1483) & 2147483647u));
+                                                                        let _e1523 = select(_e1521, _e1518, (_e1518 > _e1521));
+                                                                        let _e1525 = select(_e1510, _e1497, (_e1497 > _e1510));
+                                                                        let _e1527 = select(_e1523, _e1525, (_e1525 > _e1523));
+                                                                        if (_e1497 == _e1527) {
+                                                                            phi_2892_ = _e1334;
+                                                                            phi_2893_ = _e1331;
+                                                                            phi_2894_ = _e1321;
+                                                                            phi_2895_ = _e1318;
+                                                                            phi_2896_ = _e1470;
+                                                                            phi_2897_ = _e1484;
+                                                                            phi_2898_ = _e1480;
+                                                                            phi_2899_ = _e1476;
                                                                         } else {
-                                                                            let _e2006 = (_e1987 == _e2004);
-                                                                            let _e2011 = vec3(_e2006);
-                                                                            phi_2892_ = select(_e1798, _e1824, _e2006);
-                                                                            phi_2893_ = select(_e1795, _e1821, _e2006);
-                                                                            phi_2894_ = select(_e1824, _e1811, _e2006);
-                                                                            phi_2895_ = select(_e1821, _e1808, _e2006);
-                                                                            phi_2896_ = select(_e1949, _e1948, _e2011);
-                                                                            phi_2897_ = select(_e1957, _e1953, _e2011);
-                                                                            phi_2898_ = select(_e1953, _e1961, _e2011);
-                                                                            phi_2899_ = select(_e1961, _e1957, _e2011);
+                                                                            let _e1529 = (_e1510 == _e1527);
+                                                                            let _e1534 = vec3(_e1529);
+                                                                            phi_2892_ = select(_e1321, _e1347, _e1529);
+                                                                            phi_2893_ = select(_e1318, _e1344, _e1529);
+                                                                            phi_2894_ = select(_e1347, _e1334, _e1529);
+                                                                            phi_2895_ = select(_e1344, _e1331, _e1529);
+                                                                            phi_2896_ = select(_e1472, _e1471, _e1534);
+                                                                            phi_2897_ = select(_e1480, _e1476, _e1534);
+                                                                            phi_2898_ = select(_e1476, _e1484, _e1534);
+                                                                            phi_2899_ = select(_e1484, _e1480, _e1534);
                                                                         }
-                                                                        let _e2017 = phi_2892_;
-                                                                        let _e2019 = phi_2893_;
-                                                                        let _e2021 = phi_2894_;
-                                                                        let _e2023 = phi_2895_;
-                                                                        let _e2025 = phi_2896_;
-                                                                        let _e2027 = phi_2897_;
-                                                                        let _e2029 = phi_2898_;
-                                                                        let _e2031 = phi_2899_;
-                                                                        let _e2038 = ((_e2029.y * _e2027.z) - (_e2027.y * _e2029.z));
-                                                                        let _e2043 = ((_e2029.z * _e2027.x) - (_e2027.z * _e2029.x));
-                                                                        let _e2046 = ((_e2029.x * _e2027.y) - (_e2027.x * _e2029.y));
-                                                                        if (_e1846 >= _e1850) {
-                                                                            phi_2936_ = select(true, false, (_e1846 >= _e1854));
+                                                                        let _e1540 = phi_2892_;
+                                                                        let _e1542 = phi_2893_;
+                                                                        let _e1544 = phi_2894_;
+                                                                        let _e1546 = phi_2895_;
+                                                                        let _e1548 = phi_2896_;
+                                                                        let _e1550 = phi_2897_;
+                                                                        let _e1552 = phi_2898_;
+                                                                        let _e1554 = phi_2899_;
+                                                                        let _e1561 = ((_e1552.y * _e1550.z) - (_e1550.y * _e1552.z));
+                                                                        let _e1566 = ((_e1552.z * _e1550.x) - (_e1550.z * _e1552.x));
+                                                                        let _e1569 = ((_e1552.x * _e1550.y) - (_e1550.x * _e1552.y));
+                                                                        if (_e1369 >= _e1373) {
+                                                                            phi_2936_ = select(true, false, (_e1369 >= _e1377));
                                                                         } else {
                                                                             phi_2936_ = true;
                                                                         }
-                                                                        let _e2051 = phi_2936_;
-                                                                        if _e2051 {
-                                                                            phi_2945_ = select(_e1949, _e1948, vec3((_e1850 >= _e1854)));
+                                                                        let _e1574 = phi_2936_;
+                                                                        if _e1574 {
+                                                                            phi_2945_ = select(_e1472, _e1471, vec3((_e1373 >= _e1377)));
                                                                         } else {
-                                                                            phi_2945_ = _e1947;
+                                                                            phi_2945_ = _e1470;
                                                                         }
-                                                                        let _e2056 = phi_2945_;
-                                                                        let _e2067 = (((_e2038 * (_e2056.x - _e475)) + (_e2043 * (_e2056.y - _e542))) + (_e2046 * (_e2056.z - _e608)));
-                                                                        let _e2072 = (((_e2038 * _e515) + (_e2043 * _e581)) + (_e2046 * _e647));
-                                                                        let _e2073 = (_e2019 - _e2023);
-                                                                        let _e2074 = (_e2017 - _e2021);
-                                                                        let _e2082 = (-(((_e2023 * _e2073) + (_e2021 * _e2074))) / ((_e2073 * _e2073) + (_e2074 * _e2074)));
-                                                                        let _e2084 = select(1f, _e2082, (_e2082 < 1f));
-                                                                        let _e2086 = select(0f, _e2084, (_e2084 > 0f));
-                                                                        let _e2099 = ((_e2025.x + (_e2031.x * _e2086)) - _e475);
-                                                                        let _e2100 = ((_e2025.y + (_e2031.y * _e2086)) - _e542);
-                                                                        let _e2101 = ((_e2025.z + (_e2031.z * _e2086)) - _e608);
-                                                                        let _e2102 = (_e2101 / _e647);
-                                                                        let _e2114 = bitcast<f32>((bitcast<u32>(_e2099) & 2147483647u));
-                                                                        let _e2117 = bitcast<f32>((bitcast<u32>(_e2100) & 2147483647u));
-                                                                        let _e2119 = select(_e2117, _e2114, (_e2114 > _e2117));
-                                                                        let _e2122 = bitcast<f32>((bitcast<u32>(_e2101) & 2147483647u));
-                                                                        let _e2124 = select(_e2122, _e2119, (_e2119 > _e2122));
-                                                                        let _e2130 = bitcast<f32>((bitcast<u32>(_e2038) & 2147483647u));
-                                                                        let _e2133 = bitcast<f32>((bitcast<u32>(_e2043) & 2147483647u));
-                                                                        let _e2135 = select(_e2133, _e2130, (_e2130 > _e2133));
-                                                                        let _e2138 = bitcast<f32>((bitcast<u32>(_e2046) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e2038 * _e2099) + (_e2043 * _e2100)) + (_e2046 * _e2101)) - _e2067)) & 2147483647u)) <= ((0.0000009536743f * select(_e2004, _e2124, (_e2124 > _e2004))) * select(_e2138, _e2135, (_e2135 > _e2138)))) {
-                                                                            let _e2148 = bitcast<f32>((bitcast<u32>(_e2029.x) & 2147483647u));
-                                                                            let _e2151 = bitcast<f32>((bitcast<u32>(_e2029.y) & 2147483647u));
-                                                                            let _e2153 = select(_e2151, _e2148, (_e2148 > _e2151));
-                                                                            let _e2156 = bitcast<f32>((bitcast<u32>(_e2029.z) & 2147483647u));
-                                                                            let _e2162 = bitcast<f32>((bitcast<u32>(_e2027.x) & 2147483647u));
-                                                                            let _e2165 = bitcast<f32>((bitcast<u32>(_e2027.y) & 2147483647u));
-                                                                            let _e2167 = select(_e2165, _e2162, (_e2162 > _e2165));
-                                                                            let _e2170 = bitcast<f32>((bitcast<u32>(_e2027.z) & 2147483647u));
-                                                                            let _e2174 = (bitcast<f32>((bitcast<u32>(_e2072) & 2147483647u)) > ((0.0000038146973f * select(_e2156, _e2153, (_e2153 > _e2156))) * select(_e2170, _e2167, (_e2167 > _e2170))));
-                                                                            if _e2174 {
-                                                                                phi_3110_ = (_e2067 / _e2072);
+                                                                        let _e1579 = phi_2945_;
+                                                                        let _e1590 = (((_e1561 * (_e1579.x - _e475)) + (_e1566 * (_e1579.y - _e542))) + (_e1569 * (_e1579.z - _e608)));
+                                                                        let _e1595 = (((_e1561 * _e515) + (_e1566 * _e581)) + (_e1569 * _e647));
+                                                                        let _e1596 = (_e1542 - _e1546);
+                                                                        let _e1597 = (_e1540 - _e1544);
+                                                                        let _e1605 = (-(((_e1546 * _e1596) + (_e1544 * _e1597))) / ((_e1596 * _e1596) + (_e1597 * _e1597)));
+                                                                        let _e1607 = select(1f, _e1605, (_e1605 < 1f));
+                                                                        let _e1609 = select(0f, _e1607, (_e1607 > 0f));
+                                                                        let _e1622 = ((_e1548.x + (_e1554.x * _e1609)) - _e475);
+                                                                        let _e1623 = ((_e1548.y + (_e1554.y * _e1609)) - _e542);
+                                                                        let _e1624 = ((_e1548.z + (_e1554.z * _e1609)) - _e608);
+                                                                        let _e1625 = (_e1624 / _e647);
+                                                                        let _e1637 = bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u));
+                                                                        let _e1640 = bitcast<f32>((bitcast<u32>(_e1623) & 2147483647u));
+                                                                        let _e1642 = select(_e1640, _e1637, (_e1637 > _e1640));
+                                                                        let _e1645 = bitcast<f32>((bitcast<u32>(_e1624) & 2147483647u));
+                                                                        let _e1647 = select(_e1645, _e1642, (_e1642 > _e1645));
+                                                                        let _e1653 = bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u));
+                                                                        let _e1656 = bitcast<f32>((bitcast<u32>(_e1566) & 2147483647u));
+                                                                        let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
+                                                                        let _e1661 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1561 * _e1622) + (_e1566 * _e1623)) + (_e1569 * _e1624)) - _e1590)) & 2147483647u)) <= ((0.0000009536743f * select(_e1527, _e1647, (_e1647 > _e1527))) * select(_e1661, _e1658, (_e1658 > _e1661)))) {
+                                                                            let _e1671 = bitcast<f32>((bitcast<u32>(_e1552.x) & 2147483647u));
+                                                                            let _e1674 = bitcast<f32>((bitcast<u32>(_e1552.y) & 2147483647u));
+                                                                            let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
+                                                                            let _e1679 = bitcast<f32>((bitcast<u32>(_e1552.z) & 2147483647u));
+                                                                            let _e1685 = bitcast<f32>((bitcast<u32>(_e1550.x) & 2147483647u));
+                                                                            let _e1688 = bitcast<f32>((bitcast<u32>(_e1550.y) & 2147483647u));
+                                                                            let _e1690 = select(_e1688, _e1685, (_e1685 > _e1688));
+                                                                            let _e1693 = bitcast<f32>((bitcast<u32>(_e1550.z) & 2147483647u));
+                                                                            let _e1697 = (bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u)) > ((0.0000038146973f * select(_e1679, _e1676, (_e1676 > _e1679))) * select(_e1693, _e1690, (_e1690 > _e1693))));
+                                                                            if _e1697 {
+                                                                                phi_3110_ = (_e1590 / _e1595);
                                                                             } else {
                                                                                 phi_3110_ = f32();
                                                                             }
-                                                                            let _e2177 = phi_3110_;
-                                                                            phi_3112_ = _e2177;
-                                                                            phi_3113_ = select(true, false, _e2174);
+                                                                            let _e1700 = phi_3110_;
+                                                                            phi_3112_ = _e1700;
+                                                                            phi_3113_ = select(true, false, _e1697);
                                                                         } else {
                                                                             phi_3112_ = f32();
                                                                             phi_3113_ = true;
                                                                         }
-                                                                        let _e2180 = phi_3112_;
-                                                                        let _e2182 = phi_3113_;
-                                                                        if _e2182 {
-                                                                            let _e2190 = (((_e2038 * (_e2099 - (_e515 * _e2102))) + (_e2043 * (_e2100 - (_e581 * _e2102)))) / _e2072);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e2190) & 2147483647u)) <= _e2004) {
-                                                                                phi_3133_ = (_e2102 + _e2190);
+                                                                        let _e1703 = phi_3112_;
+                                                                        let _e1705 = phi_3113_;
+                                                                        if _e1705 {
+                                                                            let _e1713 = (((_e1561 * (_e1622 - (_e515 * _e1625))) + (_e1566 * (_e1623 - (_e581 * _e1625)))) / _e1595);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1713) & 2147483647u)) <= _e1527) {
+                                                                                phi_3133_ = (_e1625 + _e1713);
                                                                             } else {
-                                                                                phi_3133_ = _e2102;
+                                                                                phi_3133_ = _e1625;
                                                                             }
-                                                                            let _e2197 = phi_3133_;
-                                                                            phi_3134_ = _e2197;
+                                                                            let _e1720 = phi_3133_;
+                                                                            phi_3134_ = _e1720;
                                                                         } else {
-                                                                            phi_3134_ = _e2180;
+                                                                            phi_3134_ = _e1703;
                                                                         }
-                                                                        let _e2199 = phi_3134_;
-                                                                        let _e2201 = select(_e1937, _e2199, (_e2199 < _e1937));
-                                                                        let _e2203 = select(_e1929, _e2201, (_e2201 > _e1929));
-                                                                        if (_e2203 >= _e761) {
-                                                                            let _e2205 = (_e2203 <= _e1337.member_1);
-                                                                            if _e2205 {
-                                                                                let _e2206 = (1f / _e1856);
-                                                                                phi_3157_ = type_21(_e2203, (_e1850 * _e2206), (_e1854 * _e2206), _e1397);
+                                                                        let _e1722 = phi_3134_;
+                                                                        let _e1724 = select(_e1460, _e1722, (_e1722 < _e1460));
+                                                                        let _e1726 = select(_e1452, _e1724, (_e1724 > _e1452));
+                                                                        if (_e1726 >= _e761) {
+                                                                            let _e1728 = (_e1726 <= _e860.member_1);
+                                                                            if _e1728 {
+                                                                                let _e1729 = (1f / _e1379);
+                                                                                phi_3157_ = type_21(_e1726, (_e1373 * _e1729), (_e1377 * _e1729), _e920);
                                                                             } else {
                                                                                 phi_3157_ = type_21();
                                                                             }
-                                                                            let _e2211 = phi_3157_;
-                                                                            phi_3159_ = _e2211;
-                                                                            phi_3160_ = select(true, false, _e2205);
+                                                                            let _e1734 = phi_3157_;
+                                                                            phi_3159_ = _e1734;
+                                                                            phi_3160_ = select(true, false, _e1728);
                                                                         } else {
                                                                             phi_3159_ = type_21();
                                                                             phi_3160_ = true;
                                                                         }
-                                                                        let _e2214 = phi_3159_;
-                                                                        let _e2216 = phi_3160_;
-                                                                        if _e2216 {
+                                                                        let _e1737 = phi_3159_;
+                                                                        let _e1739 = phi_3160_;
+                                                                        if _e1739 {
                                                                             phi_3164_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_3164_ = _e2214;
+                                                                            phi_3164_ = _e1737;
                                                                         }
-                                                                        let _e2218 = phi_3164_;
-                                                                        phi_3165_ = _e2218;
+                                                                        let _e1741 = phi_3164_;
+                                                                        phi_3165_ = _e1741;
                                                                     }
-                                                                    let _e2220 = phi_3165_;
-                                                                    phi_3166_ = _e2220;
-                                                                    phi_3167_ = _e1946;
+                                                                    let _e1743 = phi_3165_;
+                                                                    phi_3166_ = _e1743;
+                                                                    phi_3167_ = _e1469;
                                                                 }
-                                                                let _e2222 = phi_3166_;
-                                                                let _e2224 = phi_3167_;
-                                                                phi_3171_ = _e2222;
-                                                                phi_3172_ = _e2224;
+                                                                let _e1745 = phi_3166_;
+                                                                let _e1747 = phi_3167_;
+                                                                phi_3171_ = _e1745;
+                                                                phi_3172_ = _e1747;
                                                             }
-                                                            let _e2226 = phi_3171_;
-                                                            let _e2228 = phi_3172_;
-                                                            phi_3173_ = _e2226;
-                                                            phi_3174_ = _e1881;
-                                                            phi_3175_ = _e2228;
+                                                            let _e1749 = phi_3171_;
+                                                            let _e1751 = phi_3172_;
+                                                            phi_3173_ = _e1749;
+                                                            phi_3174_ = _e1404;
+                                                            phi_3175_ = _e1751;
                                                         }
-                                                        let _e2230 = phi_3173_;
-                                                        let _e2232 = phi_3174_;
-                                                        let _e2234 = phi_3175_;
-                                                        phi_3176_ = _e2230;
-                                                        phi_3177_ = _e2232;
-                                                        phi_3178_ = _e2234;
+                                                        let _e1753 = phi_3173_;
+                                                        let _e1755 = phi_3174_;
+                                                        let _e1757 = phi_3175_;
+                                                        phi_3176_ = _e1753;
+                                                        phi_3177_ = _e1755;
+                                                        phi_3178_ = _e1757;
                                                     }
-                                                    let _e2236 = phi_3176_;
-                                                    let _e2238 = phi_3177_;
-                                                    let _e2240 = phi_3178_;
-                                                    phi_3186_ = _e2236;
-                                                    phi_3187_ = select(_e2240, true, _e2238);
+                                                    let _e1759 = phi_3176_;
+                                                    let _e1761 = phi_3177_;
+                                                    let _e1763 = phi_3178_;
+                                                    phi_3186_ = _e1759;
+                                                    phi_3187_ = select(_e1763, true, _e1761);
                                                 } else {
                                                     phi_3186_ = type_21();
                                                     phi_3187_ = true;
                                                 }
-                                                let _e2243 = phi_3186_;
-                                                let _e2245 = phi_3187_;
-                                                if _e2245 {
+                                                let _e1766 = phi_3186_;
+                                                let _e1768 = phi_3187_;
+                                                if _e1768 {
                                                     phi_3191_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_3191_ = _e2243;
+                                                    phi_3191_ = _e1766;
                                                 }
-                                                let _e2247 = phi_3191_;
-                                                if (_e2247.member_3 != 4294967295u) {
-                                                    if (_e1397 == _e174) {
+                                                let _e1770 = phi_3191_;
+                                                if (_e1770.member_3 != 4294967295u) {
+                                                    if (_e920 == _e174) {
                                                         phi_3526_ = false;
                                                     } else {
-                                                        let _e2251 = (_e1397 < arrayLength((&global_4.member)));
-                                                        if _e2251 {
-                                                            if _e2251 {
+                                                        let _e1774 = (_e920 < arrayLength((&global_4.member)));
+                                                        if _e1774 {
+                                                            if _e1774 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e2253 = global_4.member[_e1397];
-                                                            phi_3214_ = _e2253;
+                                                            let _e1776 = global_4.member[_e920];
+                                                            phi_3214_ = _e1776;
                                                         } else {
                                                             phi_3214_ = 4294967295u;
                                                         }
-                                                        let _e2255 = phi_3214_;
-                                                        let _e2256 = (_e2255 < arrayLength((&global_5.member)));
-                                                        if _e2256 {
-                                                            if _e2256 {
+                                                        let _e1778 = phi_3214_;
+                                                        let _e1779 = (_e1778 < arrayLength((&global_5.member)));
+                                                        if _e1779 {
+                                                            if _e1779 {
                                                             } else {
-                                                                phi_5270_ = true;
+                                                                phi_5274_ = true;
                                                                 break;
                                                             }
-                                                            let _e2258 = global_5.member[_e2255];
-                                                            phi_3228_ = _e2258;
+                                                            let _e1781 = global_5.member[_e1778];
+                                                            phi_3228_ = _e1781;
                                                         } else {
                                                             phi_3228_ = 0i;
                                                         }
-                                                        let _e2260 = phi_3228_;
-                                                        let _e2261 = (_e2260 == 0i);
-                                                        if _e2261 {
+                                                        let _e1783 = phi_3228_;
+                                                        let _e1784 = (_e1783 == 0i);
+                                                        if _e1784 {
                                                             phi_3525_ = true;
                                                         } else {
                                                             if _e452 {
-                                                                phi_3251_ = vec3<f32>(_e1784[0][0], _e1784[0][1], _e1784[0][2]);
+                                                                phi_3251_ = vec3<f32>(_e1307[0][0], _e1307[0][1], _e1307[0][2]);
                                                             } else {
                                                                 if (_e428 == 1u) {
-                                                                    phi_3250_ = vec3<f32>(_e1784[0][2], _e1784[0][0], _e1784[0][1]);
+                                                                    phi_3250_ = vec3<f32>(_e1307[0][2], _e1307[0][0], _e1307[0][1]);
                                                                 } else {
-                                                                    phi_3250_ = vec3<f32>(_e1784[0][1], _e1784[0][2], _e1784[0][0]);
+                                                                    phi_3250_ = vec3<f32>(_e1307[0][1], _e1307[0][2], _e1307[0][0]);
                                                                 }
-                                                                let _e2266 = phi_3250_;
-                                                                phi_3251_ = _e2266;
+                                                                let _e1789 = phi_3250_;
+                                                                phi_3251_ = _e1789;
                                                             }
-                                                            let _e2269 = phi_3251_;
+                                                            let _e1792 = phi_3251_;
                                                             if _e452 {
-                                                                phi_3270_ = vec3<f32>(_e1784[1][0], _e1784[1][1], _e1784[1][2]);
+                                                                phi_3270_ = vec3<f32>(_e1307[1][0], _e1307[1][1], _e1307[1][2]);
                                                             } else {
                                                                 if (_e428 == 1u) {
-                                                                    phi_3269_ = vec3<f32>(_e1784[1][2], _e1784[1][0], _e1784[1][1]);
+                                                                    phi_3269_ = vec3<f32>(_e1307[1][2], _e1307[1][0], _e1307[1][1]);
                                                                 } else {
-                                                                    phi_3269_ = vec3<f32>(_e1784[1][1], _e1784[1][2], _e1784[1][0]);
+                                                                    phi_3269_ = vec3<f32>(_e1307[1][1], _e1307[1][2], _e1307[1][0]);
                                                                 }
-                                                                let _e2274 = phi_3269_;
-                                                                phi_3270_ = _e2274;
+                                                                let _e1797 = phi_3269_;
+                                                                phi_3270_ = _e1797;
                                                             }
-                                                            let _e2277 = phi_3270_;
+                                                            let _e1800 = phi_3270_;
                                                             if _e452 {
-                                                                phi_3289_ = vec3<f32>(_e1784[2][0], _e1784[2][1], _e1784[2][2]);
+                                                                phi_3289_ = vec3<f32>(_e1307[2][0], _e1307[2][1], _e1307[2][2]);
                                                             } else {
                                                                 if (_e428 == 1u) {
-                                                                    phi_3288_ = vec3<f32>(_e1784[2][2], _e1784[2][0], _e1784[2][1]);
+                                                                    phi_3288_ = vec3<f32>(_e1307[2][2], _e1307[2][0], _e1307[2][1]);
                                                                 } else {
-                                                                    phi_3288_ = vec3<f32>(_e1784[2][1], _e1784[2][2], _e1784[2][0]);
+                                                                    phi_3288_ = vec3<f32>(_e1307[2][1], _e1307[2][2], _e1307[2][0]);
                                                                 }
-                                                                let _e2282 = phi_3288_;
-                                                                phi_3289_ = _e2282;
+                                                                let _e1805 = phi_3288_;
+                                                                phi_3289_ = _e1805;
                                                             }
-                                                            let _e2285 = phi_3289_;
-                                                            let _e2288 = (_e2277.x - _e2269.x);
-                                                            let _e2291 = (_e2277.y - _e2269.y);
-                                                            let _e2294 = (_e2277.z - _e2269.z);
-                                                            let _e2296 = (_e2285.x - _e2269.x);
-                                                            let _e2298 = (_e2285.y - _e2269.y);
-                                                            let _e2300 = (_e2285.z - _e2269.z);
+                                                            let _e1808 = phi_3289_;
+                                                            let _e1811 = (_e1800.x - _e1792.x);
+                                                            let _e1814 = (_e1800.y - _e1792.y);
+                                                            let _e1817 = (_e1800.z - _e1792.z);
+                                                            let _e1819 = (_e1808.x - _e1792.x);
+                                                            let _e1821 = (_e1808.y - _e1792.y);
+                                                            let _e1823 = (_e1808.z - _e1792.z);
                                                             if (_e306.member_1 == 1u) {
-                                                                phi_3325_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e2269);
+                                                                phi_3325_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e1792);
                                                             } else {
                                                                 phi_3325_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
                                                             }
-                                                            let _e2315 = phi_3325_;
-                                                            let _e2321 = bitcast<f32>((bitcast<u32>((_e2288 * _e2298)) ^ _e306.member_3[0]));
-                                                            let _e2325 = bitcast<f32>((bitcast<u32>((_e2291 * _e2296)) ^ _e306.member_3[0]));
-                                                            let _e2329 = bitcast<f32>((bitcast<u32>((_e2291 * _e2300)) ^ _e306.member_3[0]));
-                                                            let _e2333 = bitcast<f32>((bitcast<u32>((_e2294 * _e2298)) ^ _e306.member_3[0]));
-                                                            let _e2337 = bitcast<f32>((bitcast<u32>((_e2294 * _e2296)) ^ _e306.member_3[0]));
-                                                            let _e2341 = bitcast<f32>((bitcast<u32>((_e2288 * _e2300)) ^ _e306.member_3[0]));
-                                                            let _e2342 = (_e2329 - _e2333);
-                                                            let _e2343 = (_e2337 - _e2341);
-                                                            let _e2344 = (_e2321 - _e2325);
-                                                            let _e2368 = (bitcast<f32>((bitcast<u32>(_e2329) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2333) & 2147483647u)));
-                                                            let _e2375 = (bitcast<f32>((bitcast<u32>(_e2337) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2341) & 2147483647u)));
-                                                            let _e2382 = (bitcast<f32>((bitcast<u32>(_e2321) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2325) & 2147483647u)));
+                                                            let _e1838 = phi_3325_;
+                                                            let _e1844 = bitcast<f32>((bitcast<u32>((_e1811 * _e1821)) ^ _e306.member_3[0]));
+                                                            let _e1848 = bitcast<f32>((bitcast<u32>((_e1814 * _e1819)) ^ _e306.member_3[0]));
+                                                            let _e1852 = bitcast<f32>((bitcast<u32>((_e1814 * _e1823)) ^ _e306.member_3[0]));
+                                                            let _e1856 = bitcast<f32>((bitcast<u32>((_e1817 * _e1821)) ^ _e306.member_3[0]));
+                                                            let _e1860 = bitcast<f32>((bitcast<u32>((_e1817 * _e1819)) ^ _e306.member_3[0]));
+                                                            let _e1864 = bitcast<f32>((bitcast<u32>((_e1811 * _e1823)) ^ _e306.member_3[0]));
+                                                            let _e1865 = (_e1852 - _e1856);
+                                                            let _e1866 = (_e1860 - _e1864);
+                                                            let _e1867 = (_e1844 - _e1848);
+                                                            let _e1891 = (bitcast<f32>((bitcast<u32>(_e1852) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1856) & 2147483647u)));
+                                                            let _e1898 = (bitcast<f32>((bitcast<u32>(_e1860) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1864) & 2147483647u)));
+                                                            let _e1905 = (bitcast<f32>((bitcast<u32>(_e1844) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1848) & 2147483647u)));
                                                             if (_e306.member_2 == 0f) {
                                                                 phi_3507_ = 0f;
                                                             } else {
-                                                                let _e2412 = bitcast<f32>((bitcast<u32>(_e2342) & 2147483647u));
-                                                                let _e2415 = bitcast<f32>((bitcast<u32>(_e2343) & 2147483647u));
-                                                                let _e2418 = bitcast<f32>((bitcast<u32>(_e2344) & 2147483647u));
-                                                                let _e2420 = select(_e2418, _e2415, (_e2415 > _e2418));
-                                                                let _e2424 = select(_e2418, _e2415, (_e2415 < _e2418));
-                                                                let _e2428 = select(_e2415, _e2412, (_e2412 < _e2415));
-                                                                let _e2430 = select(_e2415, _e2412, (_e2412 > _e2415));
-                                                                let _e2432 = select(_e2418, _e2430, (_e2430 < _e2418));
-                                                                phi_3507_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2420, _e2412, (_e2412 > _e2420)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2432, _e2428, (_e2428 > _e2432)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2424, _e2412, (_e2412 < _e2424)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2368 + _e2375) + _e2382))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
+                                                                let _e1935 = bitcast<f32>((bitcast<u32>(_e1865) & 2147483647u));
+                                                                let _e1938 = bitcast<f32>((bitcast<u32>(_e1866) & 2147483647u));
+                                                                let _e1941 = bitcast<f32>((bitcast<u32>(_e1867) & 2147483647u));
+                                                                let _e1943 = select(_e1941, _e1938, (_e1938 > _e1941));
+                                                                let _e1947 = select(_e1941, _e1938, (_e1938 < _e1941));
+                                                                let _e1951 = select(_e1938, _e1935, (_e1935 < _e1938));
+                                                                let _e1953 = select(_e1938, _e1935, (_e1935 > _e1938));
+                                                                let _e1955 = select(_e1941, _e1953, (_e1953 < _e1941));
+                                                                phi_3507_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1943, _e1935, (_e1935 > _e1943)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1955, _e1951, (_e1951 > _e1955)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1947, _e1935, (_e1935 < _e1947)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1891 + _e1898) + _e1905))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
                                                             }
-                                                            let _e2459 = phi_3507_;
-                                                            phi_3525_ = (_e2261 || !(((((bitcast<f32>((bitcast<u32>((_e2315.x * _e2342)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2315.y * _e2343)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2315.z * _e2344)) ^ _e306.member_3[0]))) * f32(-(_e2260))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2315.x) & 2147483647u)) * _e2368)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2315.y) & 2147483647u)) * _e2375)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2315.z) & 2147483647u)) * _e2382)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e2459) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1982 = phi_3507_;
+                                                            phi_3525_ = (_e1784 || !(((((bitcast<f32>((bitcast<u32>((_e1838.x * _e1865)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1838.y * _e1866)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1838.z * _e1867)) ^ _e306.member_3[0]))) * f32(-(_e1783))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1838.x) & 2147483647u)) * _e1891)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1838.y) & 2147483647u)) * _e1898)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1838.z) & 2147483647u)) * _e1905)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e1982) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2473 = phi_3525_;
-                                                        phi_3526_ = _e2473;
+                                                        let _e1996 = phi_3525_;
+                                                        phi_3526_ = _e1996;
                                                     }
-                                                    let _e2475 = phi_3526_;
-                                                    if _e2475 {
-                                                        if (_e2247.member < _e1337.member.member) {
+                                                    let _e1998 = phi_3526_;
+                                                    if _e1998 {
+                                                        if (_e1770.member < _e860.member.member) {
                                                             phi_3546_ = true;
                                                         } else {
-                                                            if (_e2247.member == _e1337.member.member) {
-                                                                phi_3545_ = (_e2247.member_3 < _e1337.member.member_3);
+                                                            if (_e1770.member == _e860.member.member) {
+                                                                phi_3545_ = (_e1770.member_3 < _e860.member.member_3);
                                                             } else {
                                                                 phi_3545_ = false;
                                                             }
-                                                            let _e2485 = phi_3545_;
-                                                            phi_3546_ = _e2485;
+                                                            let _e2008 = phi_3545_;
+                                                            phi_3546_ = _e2008;
                                                         }
-                                                        let _e2487 = phi_3546_;
-                                                        if _e2487 {
-                                                            phi_3552_ = type_39(_e2247, _e2247.member);
+                                                        let _e2010 = phi_3546_;
+                                                        if _e2010 {
+                                                            phi_3552_ = type_39(_e1770, _e1770.member);
                                                         } else {
-                                                            phi_3552_ = _e1337;
+                                                            phi_3552_ = _e860;
                                                         }
-                                                        let _e2490 = phi_3552_;
-                                                        phi_3553_ = _e2490;
+                                                        let _e2013 = phi_3552_;
+                                                        phi_3553_ = _e2013;
                                                     } else {
-                                                        phi_3553_ = _e1337;
+                                                        phi_3553_ = _e860;
                                                     }
-                                                    let _e2492 = phi_3553_;
-                                                    phi_3554_ = _e2492;
+                                                    let _e2015 = phi_3553_;
+                                                    phi_3554_ = _e2015;
                                                 } else {
-                                                    phi_3554_ = _e1337;
+                                                    phi_3554_ = _e860;
                                                 }
-                                                let _e2494 = phi_3554_;
-                                                phi_1529_ = _e2494;
+                                                let _e2017 = phi_3554_;
+                                                phi_1529_ = _e2017;
                                             } else {
                                                 phi_1529_ = type_39();
                                             }
-                                            let _e2496 = phi_1529_;
+                                            let _e2019 = phi_1529_;
                                             continue;
                                             continuing {
-                                                phi_1528_ = _e2496;
-                                                phi_1531_ = _e1352;
-                                                phi_5270_ = _e803;
-                                                break if !(_e1358);
+                                                phi_1528_ = _e2019;
+                                                phi_1531_ = _e875;
+                                                phi_5274_ = _e803;
+                                                break if !(_e881);
                                             }
                                         }
-                                        let _e2499 = phi_5270_;
-                                        phi_5509_ = _e2499;
-                                        if _e2499 {
+                                        let _e2022 = phi_5274_;
+                                        phi_5513_ = _e2022;
+                                        if _e2022 {
                                             break;
                                         }
-                                        phi_5513_ = _e2499;
-                                        let _e2866 = local_11;
-                                        phi_4825_ = _e2866;
-                                        phi_4826_ = false;
-                                        phi_4827_ = _e846;
-                                        phi_4828_ = _e848;
+                                        phi_5604_ = _e2022;
+                                        let _e2849 = local_11;
+                                        phi_3555_ = _e2849;
+                                    } else {
+                                        phi_5604_ = _e803;
+                                        phi_3555_ = _e805;
+                                    }
+                                    let _e2024 = phi_5604_;
+                                    let _e2026 = phi_3555_;
+                                    if _e852 {
+                                        phi_4820_ = bool();
+                                        phi_4821_ = u32();
+                                        phi_4822_ = type_57();
                                     } else {
                                         if (_e848.member_1 >= _e106) {
-                                            phi_4360_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_4356_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e848.member_1 < _e106) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e860 = (_e428 * 2u);
-                                            let _e862 = ((1u + _e860) % 7u);
-                                            if (_e862 < 7u) {
+                                            let _e2029 = (_e428 * 2u);
+                                            let _e2031 = ((1u + _e2029) % 7u);
+                                            if (_e2031 < 7u) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e867 = global_9.member[_e848.member_1][_e862];
-                                            let _e869 = ((_e860 + 2u) % 7u);
-                                            if (_e869 < 7u) {
+                                            let _e2036 = global_9.member[_e848.member_1][_e2031];
+                                            let _e2038 = ((_e2029 + 2u) % 7u);
+                                            if (_e2038 < 7u) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e874 = global_9.member[_e848.member_1][_e869];
-                                            let _e875 = (_e427 * 2u);
-                                            let _e877 = ((1u + _e875) % 7u);
-                                            if (_e877 < 7u) {
+                                            let _e2043 = global_9.member[_e848.member_1][_e2038];
+                                            let _e2044 = (_e427 * 2u);
+                                            let _e2046 = ((1u + _e2044) % 7u);
+                                            if (_e2046 < 7u) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e882 = global_9.member[_e848.member_1][_e877];
-                                            let _e884 = ((_e875 + 2u) % 7u);
-                                            if (_e884 < 7u) {
+                                            let _e2051 = global_9.member[_e848.member_1][_e2046];
+                                            let _e2053 = ((_e2044 + 2u) % 7u);
+                                            if (_e2053 < 7u) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e889 = global_9.member[_e848.member_1][_e884];
-                                            let _e890 = (_e429 * 2u);
-                                            let _e892 = ((1u + _e890) % 7u);
-                                            if (_e892 < 7u) {
+                                            let _e2058 = global_9.member[_e848.member_1][_e2053];
+                                            let _e2059 = (_e429 * 2u);
+                                            let _e2061 = ((1u + _e2059) % 7u);
+                                            if (_e2061 < 7u) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e897 = global_9.member[_e848.member_1][_e892];
-                                            let _e899 = ((_e890 + 2u) % 7u);
-                                            if (_e899 < 7u) {
+                                            let _e2066 = global_9.member[_e848.member_1][_e2061];
+                                            let _e2068 = ((_e2059 + 2u) % 7u);
+                                            if (_e2068 < 7u) {
                                             } else {
-                                                phi_5509_ = true;
+                                                phi_5513_ = true;
                                                 break;
                                             }
-                                            let _e904 = global_9.member[_e848.member_1][_e899];
-                                            let _e927 = (bitcast<f32>((bitcast<u32>((_e848.member.member_1.x - _e848.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e928 = (bitcast<f32>((bitcast<u32>((_e848.member.member_1.y - _e848.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e929 = (bitcast<f32>((bitcast<u32>((_e848.member.member_1.z - _e848.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e931 = select(_e165, _e927, (_e927 > _e165));
-                                            let _e933 = select(_e165, _e928, (_e928 > _e165));
-                                            let _e935 = select(_e165, _e929, (_e929 > _e165));
-                                            let _e966 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e867 & 2097151u))) - 8388608f) * _e931));
-                                            let _e971 = (bitcast<i32>((_e867 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e974 = bitcast<f32>((_e966 & bitcast<u32>(_e971)));
-                                            let _e975 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e882 & 2097151u))) - 8388608f) * _e933));
-                                            let _e980 = (bitcast<i32>((_e882 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e983 = bitcast<f32>((_e975 & bitcast<u32>(_e980)));
-                                            let _e984 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e897 & 2097151u))) - 8388608f) * _e935));
-                                            let _e989 = (bitcast<i32>((_e897 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e992 = bitcast<f32>((_e984 & bitcast<u32>(_e989)));
-                                            let _e996 = bitcast<f32>((_e966 & bitcast<u32>(~(_e971))));
-                                            let _e1000 = bitcast<f32>((_e975 & bitcast<u32>(~(_e980))));
-                                            let _e1004 = bitcast<f32>((_e984 & bitcast<u32>(~(_e989))));
-                                            let _e1005 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e874 & 2097151u))) - 8388608f) * _e931));
-                                            let _e1010 = (bitcast<i32>((_e874 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1013 = bitcast<f32>((_e1005 & bitcast<u32>(_e1010)));
-                                            let _e1014 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e889 & 2097151u))) - 8388608f) * _e933));
-                                            let _e1019 = (bitcast<i32>((_e889 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1022 = bitcast<f32>((_e1014 & bitcast<u32>(_e1019)));
-                                            let _e1023 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e904 & 2097151u))) - 8388608f) * _e935));
-                                            let _e1028 = (bitcast<i32>((_e904 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1031 = bitcast<f32>((_e1023 & bitcast<u32>(_e1028)));
-                                            let _e1035 = bitcast<f32>((_e1005 & bitcast<u32>(~(_e1010))));
-                                            let _e1039 = bitcast<f32>((_e1014 & bitcast<u32>(~(_e1019))));
-                                            let _e1043 = bitcast<f32>((_e1023 & bitcast<u32>(~(_e1028))));
-                                            let _e1044 = (_e848.member.member.x + _e974);
-                                            let _e1045 = (_e848.member.member.y + _e983);
-                                            let _e1046 = (_e848.member.member.z + _e992);
-                                            let _e1049 = (_e848.member.member_1.x - _e1013);
-                                            let _e1050 = (_e848.member.member_1.y - _e1022);
-                                            let _e1051 = (_e848.member.member_1.z - _e1031);
-                                            let _e1070 = (_e1049 - _e1044);
-                                            let _e1071 = (_e1050 - _e1045);
-                                            let _e1072 = (_e1051 - _e1046);
-                                            let _e1074 = select(_e1071, _e1070, (_e1070 > _e1071));
-                                            let _e1076 = select(_e1072, _e1074, (_e1074 > _e1072));
-                                            if (_e1076 < (1024f * _e165)) {
-                                                phi_4061_ = 0u;
+                                            let _e2073 = global_9.member[_e848.member_1][_e2068];
+                                            let _e2096 = (bitcast<f32>((bitcast<u32>((_e848.member.member_1.x - _e848.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e2097 = (bitcast<f32>((bitcast<u32>((_e848.member.member_1.y - _e848.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e2098 = (bitcast<f32>((bitcast<u32>((_e848.member.member_1.z - _e848.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e2100 = select(_e165, _e2096, (_e2096 > _e165));
+                                            let _e2102 = select(_e165, _e2097, (_e2097 > _e165));
+                                            let _e2104 = select(_e165, _e2098, (_e2098 > _e165));
+                                            let _e2135 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2036 & 2097151u))) - 8388608f) * _e2100));
+                                            let _e2140 = (bitcast<i32>((_e2036 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2143 = bitcast<f32>((_e2135 & bitcast<u32>(_e2140)));
+                                            let _e2144 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2051 & 2097151u))) - 8388608f) * _e2102));
+                                            let _e2149 = (bitcast<i32>((_e2051 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2152 = bitcast<f32>((_e2144 & bitcast<u32>(_e2149)));
+                                            let _e2153 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2066 & 2097151u))) - 8388608f) * _e2104));
+                                            let _e2158 = (bitcast<i32>((_e2066 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2161 = bitcast<f32>((_e2153 & bitcast<u32>(_e2158)));
+                                            let _e2165 = bitcast<f32>((_e2135 & bitcast<u32>(~(_e2140))));
+                                            let _e2169 = bitcast<f32>((_e2144 & bitcast<u32>(~(_e2149))));
+                                            let _e2173 = bitcast<f32>((_e2153 & bitcast<u32>(~(_e2158))));
+                                            let _e2174 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2043 & 2097151u))) - 8388608f) * _e2100));
+                                            let _e2179 = (bitcast<i32>((_e2043 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2182 = bitcast<f32>((_e2174 & bitcast<u32>(_e2179)));
+                                            let _e2183 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2058 & 2097151u))) - 8388608f) * _e2102));
+                                            let _e2188 = (bitcast<i32>((_e2058 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2191 = bitcast<f32>((_e2183 & bitcast<u32>(_e2188)));
+                                            let _e2192 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2073 & 2097151u))) - 8388608f) * _e2104));
+                                            let _e2197 = (bitcast<i32>((_e2073 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2200 = bitcast<f32>((_e2192 & bitcast<u32>(_e2197)));
+                                            let _e2204 = bitcast<f32>((_e2174 & bitcast<u32>(~(_e2179))));
+                                            let _e2208 = bitcast<f32>((_e2183 & bitcast<u32>(~(_e2188))));
+                                            let _e2212 = bitcast<f32>((_e2192 & bitcast<u32>(~(_e2197))));
+                                            let _e2213 = (_e848.member.member.x + _e2143);
+                                            let _e2214 = (_e848.member.member.y + _e2152);
+                                            let _e2215 = (_e848.member.member.z + _e2161);
+                                            let _e2218 = (_e848.member.member_1.x - _e2182);
+                                            let _e2219 = (_e848.member.member_1.y - _e2191);
+                                            let _e2220 = (_e848.member.member_1.z - _e2200);
+                                            let _e2239 = (_e2218 - _e2213);
+                                            let _e2240 = (_e2219 - _e2214);
+                                            let _e2241 = (_e2220 - _e2215);
+                                            let _e2243 = select(_e2240, _e2239, (_e2239 > _e2240));
+                                            let _e2245 = select(_e2241, _e2243, (_e2243 > _e2241));
+                                            if (_e2245 < (1024f * _e165)) {
+                                                phi_4057_ = 0u;
                                             } else {
-                                                phi_4061_ = select(2u, 1u, (_e1076 < (2097152f * _e165)));
+                                                phi_4057_ = select(2u, 1u, (_e2245 < (2097152f * _e165)));
                                             }
-                                            let _e1083 = phi_4061_;
-                                            switch bitcast<i32>(_e1083) {
+                                            let _e2252 = phi_4057_;
+                                            switch bitcast<i32>(_e2252) {
                                                 case 0: {
-                                                    phi_4067_ = 1u;
+                                                    phi_4063_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_4067_ = 2u;
+                                                    phi_4063_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_4067_ = 3u;
+                                                    phi_4063_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_4067_ = u32();
+                                                    phi_4063_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e1086 = phi_4067_;
-                                            let _e1092 = global_9.member[_e848.member_1][0u];
-                                            let _e1096 = global_9.member[_e848.member_1][2u];
-                                            let _e1100 = global_9.member[_e848.member_1][4u];
-                                            let _e1104 = global_9.member[_e848.member_1][6u];
-                                            let _e1116 = (((_e1096 >> bitcast<u32>(22i)) | ((_e1100 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1104 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1117 = (_e1092 & 268435455u);
-                                            let _e1118 = (_e1116 & 268435455u);
-                                            let _e1121 = ((_e1092 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1129 = ((_e1092 >> bitcast<u32>(31i)) | (((_e1116 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1130 = (_e1121 != 0u);
-                                            if (_e1121 == 0u) {
-                                                phi_4322_ = _e1117;
+                                            let _e2255 = phi_4063_;
+                                            let _e2261 = global_9.member[_e848.member_1][0u];
+                                            let _e2265 = global_9.member[_e848.member_1][2u];
+                                            let _e2269 = global_9.member[_e848.member_1][4u];
+                                            let _e2273 = global_9.member[_e848.member_1][6u];
+                                            let _e2285 = (((_e2265 >> bitcast<u32>(22i)) | ((_e2269 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2273 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e2286 = (_e2261 & 268435455u);
+                                            let _e2287 = (_e2285 & 268435455u);
+                                            let _e2290 = ((_e2261 >> bitcast<u32>(28u)) & 7u);
+                                            let _e2298 = ((_e2261 >> bitcast<u32>(31i)) | (((_e2285 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e2299 = (_e2290 != 0u);
+                                            if (_e2290 == 0u) {
+                                                phi_4318_ = _e2286;
                                             } else {
-                                                if (_e1121 == 7u) {
-                                                    phi_4321_ = 2147483648u;
+                                                if (_e2290 == 7u) {
+                                                    phi_4317_ = 2147483648u;
                                                 } else {
-                                                    phi_4321_ = ((2147483648u | (_e1121 << bitcast<u32>(28u))) | (_e1118 & 268435455u));
+                                                    phi_4317_ = ((2147483648u | (_e2290 << bitcast<u32>(28u))) | (_e2287 & 268435455u));
                                                 }
-                                                let _e1139 = phi_4321_;
-                                                phi_4322_ = _e1139;
+                                                let _e2308 = phi_4317_;
+                                                phi_4318_ = _e2308;
                                             }
-                                            let _e1141 = phi_4322_;
-                                            if _e1130 {
-                                                let _e1142 = (_e1121 != 7u);
-                                                if _e1142 {
-                                                    phi_4332_ = (_e1118 + (_e1121 * ((3u * _e1086) + 1u)));
+                                            let _e2310 = phi_4318_;
+                                            if _e2299 {
+                                                let _e2311 = (_e2290 != 7u);
+                                                if _e2311 {
+                                                    phi_4328_ = (_e2287 + (_e2290 * ((3u * _e2255) + 1u)));
                                                 } else {
-                                                    phi_4332_ = u32();
+                                                    phi_4328_ = u32();
                                                 }
-                                                let _e1146 = phi_4332_;
-                                                phi_4334_ = _e1146;
-                                                phi_4335_ = select(true, false, _e1142);
+                                                let _e2315 = phi_4328_;
+                                                phi_4330_ = _e2315;
+                                                phi_4331_ = select(true, false, _e2311);
                                             } else {
-                                                phi_4334_ = u32();
-                                                phi_4335_ = true;
+                                                phi_4330_ = u32();
+                                                phi_4331_ = true;
                                             }
-                                            let _e1149 = phi_4334_;
-                                            let _e1151 = phi_4335_;
-                                            if (_e1129 == 0u) {
-                                                phi_4356_ = (_e1117 + select(0u, 1u, !(_e1130)));
+                                            let _e2318 = phi_4330_;
+                                            let _e2320 = phi_4331_;
+                                            if (_e2298 == 0u) {
+                                                phi_4352_ = (_e2286 + select(0u, 1u, !(_e2299)));
                                             } else {
-                                                if (_e1129 == 7u) {
-                                                    phi_4355_ = 2147483648u;
+                                                if (_e2298 == 7u) {
+                                                    phi_4351_ = 2147483648u;
                                                 } else {
-                                                    phi_4355_ = ((2147483648u | (_e1129 << bitcast<u32>(28u))) | (select(_e1149, _e1118, _e1151) & 268435455u));
+                                                    phi_4351_ = ((2147483648u | (_e2298 << bitcast<u32>(28u))) | (select(_e2318, _e2287, _e2320) & 268435455u));
                                                 }
-                                                let _e1164 = phi_4355_;
-                                                phi_4356_ = _e1164;
+                                                let _e2333 = phi_4351_;
+                                                phi_4352_ = _e2333;
                                             }
-                                            let _e1166 = phi_4356_;
-                                            phi_4360_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e1044, (_e848.member.member.x + _e996), _e1049, (_e848.member.member_1.x - _e1035)), vec4<f32>(_e1045, (_e848.member.member.y + _e1000), _e1050, (_e848.member.member_1.y - _e1039)), vec4<f32>(_e1046, (_e848.member.member.z + _e1004), _e1051, (_e848.member.member_1.z - _e1043))), type_57(type_33((_e848.member.member + vec4<f32>(_e974, _e983, _e992, 0f)), (_e848.member.member_1 - vec4<f32>(_e1013, _e1022, _e1031, 0f))), _e1141), type_57(type_33((_e848.member.member + vec4<f32>(_e996, _e1000, _e1004, 0f)), (_e848.member.member_1 - vec4<f32>(_e1035, _e1039, _e1043, 0f))), _e1166));
+                                            let _e2335 = phi_4352_;
+                                            phi_4356_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e2213, (_e848.member.member.x + _e2165), _e2218, (_e848.member.member_1.x - _e2204)), vec4<f32>(_e2214, (_e848.member.member.y + _e2169), _e2219, (_e848.member.member_1.y - _e2208)), vec4<f32>(_e2215, (_e848.member.member.z + _e2173), _e2220, (_e848.member.member_1.z - _e2212))), type_57(type_33((_e848.member.member + vec4<f32>(_e2143, _e2152, _e2161, 0f)), (_e848.member.member_1 - vec4<f32>(_e2182, _e2191, _e2200, 0f))), _e2310), type_57(type_33((_e848.member.member + vec4<f32>(_e2165, _e2169, _e2173, 0f)), (_e848.member.member_1 - vec4<f32>(_e2204, _e2208, _e2212, 0f))), _e2335));
                                         }
-                                        let _e1171 = phi_4360_;
-                                        let _e1183 = ((_e1171.member[0].x - _e513) * _e518);
-                                        let _e1184 = ((_e1171.member[0].y - _e513) * _e518);
-                                        let _e1185 = ((_e1171.member[0].z - _e514) * _e518);
-                                        let _e1186 = ((_e1171.member[0].w - _e514) * _e518);
-                                        let _e1196 = ((_e1171.member[1].x - _e579) * _e584);
-                                        let _e1197 = ((_e1171.member[1].y - _e579) * _e584);
-                                        let _e1198 = ((_e1171.member[1].z - _e580) * _e584);
-                                        let _e1199 = ((_e1171.member[1].w - _e580) * _e584);
-                                        let _e1209 = ((_e1171.member[2].x - _e645) * _e650);
-                                        let _e1210 = ((_e1171.member[2].y - _e645) * _e650);
-                                        let _e1211 = ((_e1171.member[2].z - _e646) * _e650);
-                                        let _e1212 = ((_e1171.member[2].w - _e646) * _e650);
-                                        let _e1214 = select(_e1211, _e1209, (_e1209 < _e1211));
-                                        let _e1216 = select(_e1212, _e1210, (_e1210 < _e1212));
-                                        let _e1218 = select(_e1211, _e1209, (_e1209 > _e1211));
-                                        let _e1220 = select(_e1212, _e1210, (_e1210 > _e1212));
-                                        let _e1222 = select(_e1185, _e1183, (_e1183 < _e1185));
-                                        let _e1224 = select(_e1186, _e1184, (_e1184 < _e1186));
-                                        let _e1226 = select(_e1198, _e1196, (_e1196 < _e1198));
-                                        let _e1228 = select(_e1199, _e1197, (_e1197 < _e1199));
-                                        let _e1230 = select(_e1226, _e1222, (_e1222 > _e1226));
-                                        let _e1232 = select(_e1228, _e1224, (_e1224 > _e1228));
-                                        let _e1234 = select(_e1214, _e1230, (_e1230 > _e1214));
-                                        let _e1236 = select(_e1216, _e1232, (_e1232 > _e1216));
-                                        let _e1238 = select(_e1185, _e1183, (_e1183 > _e1185));
-                                        let _e1240 = select(_e1186, _e1184, (_e1184 > _e1186));
-                                        let _e1242 = select(_e1198, _e1196, (_e1196 > _e1198));
-                                        let _e1244 = select(_e1199, _e1197, (_e1197 > _e1199));
-                                        let _e1246 = select(_e1242, _e1238, (_e1238 < _e1242));
-                                        let _e1248 = select(_e1244, _e1240, (_e1240 < _e1244));
-                                        let _e1253 = -(_e1214);
-                                        let _e1254 = -(_e1216);
-                                        let _e1261 = (select(_e1218, _e1246, (_e1246 < _e1218)) + (select(_e1253, _e1218, (_e1218 > _e1253)) * 0.0000019073523f));
-                                        let _e1262 = (select(_e1220, _e1248, (_e1248 < _e1220)) + (select(_e1254, _e1220, (_e1220 > _e1254)) * 0.0000019073523f));
-                                        let _e1264 = select(_e761, _e1234, (_e1234 > _e761));
-                                        let _e1266 = select(_e761, _e1236, (_e1236 > _e761));
-                                        let _e1271 = (_e1264 <= select(_e805.member_1, _e1261, (_e1261 < _e805.member_1)));
-                                        let _e1272 = (_e1266 <= select(_e805.member_1, _e1262, (_e1262 < _e805.member_1)));
-                                        let _e1273 = (_e1264 <= _e1266);
-                                        if _e1271 {
-                                            if _e1272 {
-                                                if _e1273 {
-                                                    phi_4722_ = _e1171.member_2;
+                                        let _e2340 = phi_4356_;
+                                        let _e2352 = ((_e2340.member[0].x - _e513) * _e518);
+                                        let _e2353 = ((_e2340.member[0].y - _e513) * _e518);
+                                        let _e2354 = ((_e2340.member[0].z - _e514) * _e518);
+                                        let _e2355 = ((_e2340.member[0].w - _e514) * _e518);
+                                        let _e2365 = ((_e2340.member[1].x - _e579) * _e584);
+                                        let _e2366 = ((_e2340.member[1].y - _e579) * _e584);
+                                        let _e2367 = ((_e2340.member[1].z - _e580) * _e584);
+                                        let _e2368 = ((_e2340.member[1].w - _e580) * _e584);
+                                        let _e2378 = ((_e2340.member[2].x - _e645) * _e650);
+                                        let _e2379 = ((_e2340.member[2].y - _e645) * _e650);
+                                        let _e2380 = ((_e2340.member[2].z - _e646) * _e650);
+                                        let _e2381 = ((_e2340.member[2].w - _e646) * _e650);
+                                        let _e2383 = select(_e2380, _e2378, (_e2378 < _e2380));
+                                        let _e2385 = select(_e2381, _e2379, (_e2379 < _e2381));
+                                        let _e2387 = select(_e2380, _e2378, (_e2378 > _e2380));
+                                        let _e2389 = select(_e2381, _e2379, (_e2379 > _e2381));
+                                        let _e2391 = select(_e2354, _e2352, (_e2352 < _e2354));
+                                        let _e2393 = select(_e2355, _e2353, (_e2353 < _e2355));
+                                        let _e2395 = select(_e2367, _e2365, (_e2365 < _e2367));
+                                        let _e2397 = select(_e2368, _e2366, (_e2366 < _e2368));
+                                        let _e2399 = select(_e2395, _e2391, (_e2391 > _e2395));
+                                        let _e2401 = select(_e2397, _e2393, (_e2393 > _e2397));
+                                        let _e2403 = select(_e2383, _e2399, (_e2399 > _e2383));
+                                        let _e2405 = select(_e2385, _e2401, (_e2401 > _e2385));
+                                        let _e2407 = select(_e2354, _e2352, (_e2352 > _e2354));
+                                        let _e2409 = select(_e2355, _e2353, (_e2353 > _e2355));
+                                        let _e2411 = select(_e2367, _e2365, (_e2365 > _e2367));
+                                        let _e2413 = select(_e2368, _e2366, (_e2366 > _e2368));
+                                        let _e2415 = select(_e2411, _e2407, (_e2407 < _e2411));
+                                        let _e2417 = select(_e2413, _e2409, (_e2409 < _e2413));
+                                        let _e2422 = -(_e2383);
+                                        let _e2423 = -(_e2385);
+                                        let _e2430 = (select(_e2387, _e2415, (_e2415 < _e2387)) + (select(_e2422, _e2387, (_e2387 > _e2422)) * 0.0000019073523f));
+                                        let _e2431 = (select(_e2389, _e2417, (_e2417 < _e2389)) + (select(_e2423, _e2389, (_e2389 > _e2423)) * 0.0000019073523f));
+                                        let _e2433 = select(_e761, _e2403, (_e2403 > _e761));
+                                        let _e2435 = select(_e761, _e2405, (_e2405 > _e761));
+                                        let _e2440 = (_e2433 <= select(_e2026.member_1, _e2430, (_e2430 < _e2026.member_1)));
+                                        let _e2441 = (_e2435 <= select(_e2026.member_1, _e2431, (_e2431 < _e2026.member_1)));
+                                        let _e2442 = (_e2433 <= _e2435);
+                                        if _e2440 {
+                                            if _e2441 {
+                                                if _e2442 {
+                                                    phi_4718_ = _e2340.member_2;
                                                 } else {
-                                                    phi_4722_ = _e1171.member_1;
+                                                    phi_4718_ = _e2340.member_1;
                                                 }
-                                                let _e1277 = phi_4722_;
-                                                let _e1299 = (_e846 % 128u);
-                                                let _e1300 = (_e1299 < 128u);
-                                                if _e1300 {
+                                                let _e2446 = phi_4718_;
+                                                let _e2467 = (_e846 % 128u);
+                                                let _e2468 = (_e2467 < 128u);
+                                                if _e2468 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1299] = _e1277.member_1;
-                                                if _e1300 {
+                                                local_8[_e2467] = _e2446.member_1;
+                                                if _e2468 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1299] = _e1277.member.member.x;
-                                                if _e1300 {
+                                                local_7[_e2467] = _e2446.member.member.x;
+                                                if _e2468 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1299] = _e1277.member.member.y;
-                                                if _e1300 {
+                                                local_6[_e2467] = _e2446.member.member.y;
+                                                if _e2468 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1299] = _e1277.member.member.z;
-                                                if _e1300 {
+                                                local_5[_e2467] = _e2446.member.member.z;
+                                                if _e2468 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1299] = _e1277.member.member_1.x;
-                                                if _e1300 {
+                                                local_4[_e2467] = _e2446.member.member_1.x;
+                                                if _e2468 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1299] = _e1277.member.member_1.y;
-                                                if _e1300 {
+                                                local_3[_e2467] = _e2446.member.member_1.y;
+                                                if _e2468 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1299] = _e1277.member.member_1.z;
-                                                if _e1300 {
+                                                local_2[_e2467] = _e2446.member.member_1.z;
+                                                if _e2468 {
                                                 } else {
-                                                    phi_5509_ = true;
+                                                    phi_5513_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1299] = select(_e1266, _e1264, !(_e1273));
-                                                if _e1273 {
-                                                    phi_4799_ = _e1171.member_1;
+                                                local_9[_e2467] = select(_e2433, _e2435, _e2442);
+                                                if _e2442 {
+                                                    phi_4794_ = _e2340.member_1;
                                                 } else {
-                                                    phi_4799_ = _e1171.member_2;
+                                                    phi_4794_ = _e2340.member_2;
                                                 }
-                                                let _e1313 = phi_4799_;
-                                                phi_4800_ = (_e846 + 1u);
-                                                phi_4801_ = _e1313;
+                                                let _e2481 = phi_4794_;
+                                                phi_4795_ = (_e846 + 1u);
+                                                phi_4796_ = _e2481;
                                             } else {
-                                                phi_4800_ = u32();
-                                                phi_4801_ = type_57();
+                                                phi_4795_ = u32();
+                                                phi_4796_ = type_57();
                                             }
-                                            let _e1315 = phi_4800_;
-                                            let _e1317 = phi_4801_;
-                                            phi_4803_ = _e1315;
-                                            phi_4804_ = _e1317;
-                                            phi_4805_ = select(true, false, _e1272);
+                                            let _e2483 = phi_4795_;
+                                            let _e2485 = phi_4796_;
+                                            phi_4798_ = _e2483;
+                                            phi_4799_ = _e2485;
+                                            phi_4800_ = select(true, false, _e2441);
                                         } else {
-                                            phi_4803_ = u32();
-                                            phi_4804_ = type_57();
-                                            phi_4805_ = true;
+                                            phi_4798_ = u32();
+                                            phi_4799_ = type_57();
+                                            phi_4800_ = true;
                                         }
-                                        let _e1320 = phi_4803_;
-                                        let _e1322 = phi_4804_;
-                                        let _e1324 = phi_4805_;
-                                        if _e1324 {
-                                            if _e1271 {
-                                                phi_4814_ = _e1171.member_1;
+                                        let _e2488 = phi_4798_;
+                                        let _e2490 = phi_4799_;
+                                        let _e2492 = phi_4800_;
+                                        if _e2492 {
+                                            if _e2440 {
+                                                phi_4809_ = _e2340.member_1;
                                             } else {
-                                                phi_4814_ = _e1171.member_2;
+                                                phi_4809_ = _e2340.member_2;
                                             }
-                                            let _e1328 = phi_4814_;
-                                            phi_4819_ = select(_e1272, true, _e1271);
-                                            phi_4821_ = _e1328;
+                                            let _e2496 = phi_4809_;
+                                            phi_4814_ = select(_e2441, true, _e2440);
+                                            phi_4816_ = _e2496;
                                         } else {
-                                            phi_4819_ = _e844;
-                                            phi_4821_ = _e1322;
+                                            phi_4814_ = _e844;
+                                            phi_4816_ = _e2490;
                                         }
-                                        let _e1331 = phi_4819_;
-                                        let _e1333 = phi_4821_;
-                                        phi_5513_ = _e803;
-                                        phi_4825_ = _e805;
-                                        phi_4826_ = _e1331;
-                                        phi_4827_ = select(_e1320, _e846, _e1324);
-                                        phi_4828_ = _e1333;
+                                        let _e2499 = phi_4814_;
+                                        let _e2501 = phi_4816_;
+                                        phi_4820_ = _e2499;
+                                        phi_4821_ = select(_e2488, _e846, _e2492);
+                                        phi_4822_ = _e2501;
                                     }
-                                    let _e2501 = phi_5513_;
-                                    let _e2503 = phi_4825_;
-                                    let _e2505 = phi_4826_;
-                                    let _e2507 = phi_4827_;
-                                    let _e2509 = phi_4828_;
-                                    phi_5512_ = _e2501;
-                                    phi_4829_ = _e2503;
-                                    phi_4830_ = _e2505;
-                                    phi_4831_ = (_e809 - 1u);
-                                    phi_4832_ = _e2507;
-                                    phi_4833_ = _e2509;
+                                    let _e2504 = phi_4820_;
+                                    let _e2506 = phi_4821_;
+                                    let _e2508 = phi_4822_;
+                                    if _e852 {
+                                        phi_4832_ = _e848;
+                                    } else {
+                                        phi_4832_ = _e2508;
+                                    }
+                                    let _e2510 = phi_4832_;
+                                    phi_5516_ = _e2024;
+                                    phi_4833_ = _e2026;
+                                    phi_4834_ = (_e807 - 1u);
+                                    phi_4835_ = select(_e2504, false, _e852);
+                                    phi_4836_ = select(_e2506, _e846, _e852);
+                                    phi_4837_ = _e2510;
                                 } else {
-                                    phi_5512_ = _e803;
-                                    phi_4829_ = _e805;
-                                    phi_4830_ = _e844;
-                                    phi_4831_ = _e809;
-                                    phi_4832_ = _e846;
-                                    phi_4833_ = _e848;
+                                    phi_5516_ = _e803;
+                                    phi_4833_ = _e805;
+                                    phi_4834_ = _e807;
+                                    phi_4835_ = _e844;
+                                    phi_4836_ = _e846;
+                                    phi_4837_ = _e848;
                                 }
-                                let _e2511 = phi_5512_;
-                                let _e2513 = phi_4829_;
-                                let _e2515 = phi_4830_;
-                                let _e2517 = phi_4831_;
-                                let _e2519 = phi_4832_;
-                                let _e2521 = phi_4833_;
-                                phi_5511_ = _e2511;
-                                phi_4834_ = _e2513;
-                                phi_4835_ = _e2515;
-                                phi_4836_ = _e2517;
-                                phi_4837_ = _e2519;
-                                phi_4838_ = _e2521;
+                                let _e2514 = phi_5516_;
+                                let _e2516 = phi_4833_;
+                                let _e2518 = phi_4834_;
+                                let _e2520 = phi_4835_;
+                                let _e2522 = phi_4836_;
+                                let _e2524 = phi_4837_;
+                                phi_5515_ = _e2514;
+                                phi_4838_ = _e2516;
+                                phi_4839_ = _e2518;
+                                phi_4840_ = _e2520;
+                                phi_4841_ = _e2522;
+                                phi_4842_ = _e2524;
                             } else {
-                                phi_5511_ = _e803;
-                                phi_4834_ = type_39();
-                                phi_4835_ = bool();
-                                phi_4836_ = u32();
-                                phi_4837_ = u32();
-                                phi_4838_ = type_57();
+                                phi_5515_ = _e803;
+                                phi_4838_ = type_39();
+                                phi_4839_ = u32();
+                                phi_4840_ = bool();
+                                phi_4841_ = u32();
+                                phi_4842_ = type_57();
                             }
-                            let _e2523 = phi_5511_;
-                            let _e2525 = phi_4834_;
-                            let _e2527 = phi_4835_;
-                            let _e2529 = phi_4836_;
-                            let _e2531 = phi_4837_;
-                            let _e2533 = phi_4838_;
-                            phi_5510_ = _e2523;
-                            phi_1402_ = _e2525;
-                            phi_1405_ = _e2527;
-                            phi_1407_ = _e2529;
-                            phi_1409_ = _e2531;
-                            phi_1411_ = _e2533;
-                            phi_4839_ = _e817;
+                            let _e2526 = phi_5515_;
+                            let _e2528 = phi_4838_;
+                            let _e2530 = phi_4839_;
+                            let _e2532 = phi_4840_;
+                            let _e2534 = phi_4841_;
+                            let _e2536 = phi_4842_;
+                            phi_5514_ = _e2526;
+                            phi_1402_ = _e2528;
+                            phi_1405_ = _e2530;
+                            phi_1407_ = _e2532;
+                            phi_1409_ = _e2534;
+                            phi_1411_ = _e2536;
+                            phi_4843_ = _e817;
                         } else {
-                            phi_5510_ = _e803;
+                            phi_5514_ = _e803;
                             phi_1402_ = type_39();
-                            phi_1405_ = bool();
-                            phi_1407_ = u32();
+                            phi_1405_ = u32();
+                            phi_1407_ = bool();
                             phi_1409_ = u32();
                             phi_1411_ = type_57();
-                            phi_4839_ = false;
+                            phi_4843_ = false;
                         }
-                        let _e2535 = phi_5510_;
-                        let _e2537 = phi_1402_;
-                        let _e2539 = phi_1405_;
-                        let _e2541 = phi_1407_;
-                        let _e2543 = phi_1409_;
-                        let _e2545 = phi_1411_;
-                        let _e2547 = phi_4839_;
+                        let _e2538 = phi_5514_;
+                        let _e2540 = phi_1402_;
+                        let _e2542 = phi_1405_;
+                        let _e2544 = phi_1407_;
+                        let _e2546 = phi_1409_;
+                        let _e2548 = phi_1411_;
+                        let _e2550 = phi_4843_;
                         continue;
                         continuing {
-                            phi_5276_ = _e2535;
-                            phi_1401_ = _e2537;
-                            phi_1404_ = _e2539;
-                            phi_1406_ = _e2541;
-                            phi_1408_ = _e2543;
-                            phi_1410_ = _e2545;
-                            phi_5509_ = _e2535;
-                            break if !(_e2547);
+                            phi_5280_ = _e2538;
+                            phi_1401_ = _e2540;
+                            phi_1404_ = _e2542;
+                            phi_1406_ = _e2544;
+                            phi_1408_ = _e2546;
+                            phi_1410_ = _e2548;
+                            phi_5513_ = _e2538;
+                            break if !(_e2550);
                         }
                     }
-                    let _e2550 = phi_5509_;
-                    if _e2550 {
+                    let _e2553 = phi_5513_;
+                    if _e2553 {
                         break;
                     }
-                    let _e2552 = local_10;
-                    if (_e2552.member.member_3 != 4294967295u) {
-                        let _e2557 = bitcast<u32>(_e2552.member.member);
-                        let _e2561 = (bitcast<i32>((_e2557 >> bitcast<u32>(23i))) & 255i);
-                        let _e2562 = (_e2561 + _e430);
-                        if (_e2561 == 255i) {
-                            phi_4898_ = _e2552.member.member;
+                    let _e2555 = local_10;
+                    if (_e2555.member.member_3 != 4294967295u) {
+                        let _e2560 = bitcast<u32>(_e2555.member.member);
+                        let _e2564 = (bitcast<i32>((_e2560 >> bitcast<u32>(23i))) & 255i);
+                        let _e2565 = (_e2564 + _e430);
+                        if (_e2564 == 255i) {
+                            phi_4902_ = _e2555.member.member;
                         } else {
-                            if (_e2561 > 0i) {
-                                if (_e2562 > 0i) {
-                                    let _e2566 = (_e2562 < 255i);
-                                    if _e2566 {
-                                        phi_4877_ = bitcast<f32>((_e2557 + bitcast<u32>((_e430 << bitcast<u32>(23i)))));
+                            if (_e2564 > 0i) {
+                                if (_e2565 > 0i) {
+                                    let _e2569 = (_e2565 < 255i);
+                                    if _e2569 {
+                                        phi_4881_ = bitcast<f32>((_e2560 + bitcast<u32>((_e430 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4877_ = f32();
+                                        phi_4881_ = f32();
                                     }
-                                    let _e2573 = phi_4877_;
-                                    phi_4879_ = _e2573;
-                                    phi_4880_ = select(true, false, _e2566);
+                                    let _e2576 = phi_4881_;
+                                    phi_4883_ = _e2576;
+                                    phi_4884_ = select(true, false, _e2569);
                                 } else {
-                                    phi_4879_ = f32();
-                                    phi_4880_ = true;
+                                    phi_4883_ = f32();
+                                    phi_4884_ = true;
                                 }
-                                let _e2576 = phi_4879_;
-                                let _e2578 = phi_4880_;
-                                phi_4881_ = _e2576;
-                                phi_4882_ = _e2578;
+                                let _e2579 = phi_4883_;
+                                let _e2581 = phi_4884_;
+                                phi_4885_ = _e2579;
+                                phi_4886_ = _e2581;
                             } else {
-                                phi_4881_ = f32();
-                                phi_4882_ = true;
+                                phi_4885_ = f32();
+                                phi_4886_ = true;
                             }
-                            let _e2580 = phi_4881_;
-                            let _e2582 = phi_4882_;
-                            if _e2582 {
-                                let _e2583 = (_e2557 & 2147483648u);
-                                let _e2590 = ((_e2557 & 8388607u) | (select(0u, 1u, ((_e2557 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2594 = (_e2590 == 0u);
-                                if _e2594 {
-                                    phi_5228_ = bitcast<f32>(_e2583);
+                            let _e2583 = phi_4885_;
+                            let _e2585 = phi_4886_;
+                            if _e2585 {
+                                let _e2586 = (_e2560 & 2147483648u);
+                                let _e2593 = ((_e2560 & 8388607u) | (select(0u, 1u, ((_e2560 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2597 = (_e2593 == 0u);
+                                if _e2597 {
+                                    phi_5232_ = bitcast<f32>(_e2586);
                                 } else {
-                                    let _e2599 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2590)), 32u, _e2594) - 8u);
-                                    let _e2602 = (_e2590 << bitcast<u32>((_e2599 & 31u)));
-                                    let _e2604 = ((_e2562 + select(0i, 1i, (_e2561 == 0i))) - bitcast<i32>(_e2599));
-                                    if (_e2604 >= 255i) {
-                                        phi_5218_ = bitcast<f32>((_e2583 | 2139095040u));
-                                        phi_5219_ = f32();
-                                        phi_5220_ = true;
+                                    let _e2602 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2593)), 32u, _e2597) - 8u);
+                                    let _e2605 = (_e2593 << bitcast<u32>((_e2602 & 31u)));
+                                    let _e2607 = ((_e2565 + select(0i, 1i, (_e2564 == 0i))) - bitcast<i32>(_e2602));
+                                    if (_e2607 >= 255i) {
+                                        phi_5222_ = bitcast<f32>((_e2586 | 2139095040u));
+                                        phi_5223_ = f32();
+                                        phi_5224_ = true;
                                     } else {
-                                        let _e2606 = (_e2604 > 0i);
-                                        if _e2606 {
-                                            phi_5212_ = bitcast<f32>(((_e2583 | (bitcast<u32>(_e2604) << bitcast<u32>(23i))) | (_e2602 & 8388607u)));
-                                            phi_5213_ = f32();
+                                        let _e2609 = (_e2607 > 0i);
+                                        if _e2609 {
+                                            phi_5216_ = bitcast<f32>(((_e2586 | (bitcast<u32>(_e2607) << bitcast<u32>(23i))) | (_e2605 & 8388607u)));
+                                            phi_5217_ = f32();
                                         } else {
-                                            if (_e2604 < -24i) {
-                                                phi_5178_ = 26u;
+                                            if (_e2607 < -24i) {
+                                                phi_5182_ = 26u;
                                             } else {
-                                                phi_5178_ = bitcast<u32>((1i - _e2604));
+                                                phi_5182_ = bitcast<u32>((1i - _e2607));
                                             }
-                                            let _e2611 = phi_5178_;
-                                            let _e2612 = (_e2611 & 31u);
-                                            let _e2614 = (_e2602 >> bitcast<u32>(_e2612));
-                                            let _e2618 = (_e2602 & ((1u << bitcast<u32>(_e2612)) - 1u));
-                                            let _e2622 = (1u << bitcast<u32>(((_e2611 - 1u) & 31u)));
-                                            if (_e2618 > _e2622) {
-                                                phi_5199_ = true;
+                                            let _e2614 = phi_5182_;
+                                            let _e2615 = (_e2614 & 31u);
+                                            let _e2617 = (_e2605 >> bitcast<u32>(_e2615));
+                                            let _e2621 = (_e2605 & ((1u << bitcast<u32>(_e2615)) - 1u));
+                                            let _e2625 = (1u << bitcast<u32>(((_e2614 - 1u) & 31u)));
+                                            if (_e2621 > _e2625) {
+                                                phi_5203_ = true;
                                             } else {
-                                                if (_e2618 == _e2622) {
-                                                    phi_5196_ = ((_e2614 & 1u) == 1u);
+                                                if (_e2621 == _e2625) {
+                                                    phi_5200_ = ((_e2617 & 1u) == 1u);
                                                 } else {
-                                                    phi_5196_ = false;
+                                                    phi_5200_ = false;
                                                 }
-                                                let _e2628 = phi_5196_;
-                                                phi_5199_ = _e2628;
+                                                let _e2631 = phi_5200_;
+                                                phi_5203_ = _e2631;
                                             }
-                                            let _e2630 = phi_5199_;
-                                            phi_5212_ = f32();
-                                            phi_5213_ = bitcast<f32>((_e2583 | (_e2614 + select(0u, 1u, _e2630))));
+                                            let _e2633 = phi_5203_;
+                                            phi_5216_ = f32();
+                                            phi_5217_ = bitcast<f32>((_e2586 | (_e2617 + select(0u, 1u, _e2633))));
                                         }
-                                        let _e2643 = phi_5212_;
-                                        let _e2645 = phi_5213_;
-                                        phi_5218_ = _e2643;
-                                        phi_5219_ = _e2645;
-                                        phi_5220_ = _e2606;
+                                        let _e2646 = phi_5216_;
+                                        let _e2648 = phi_5217_;
+                                        phi_5222_ = _e2646;
+                                        phi_5223_ = _e2648;
+                                        phi_5224_ = _e2609;
                                     }
-                                    let _e2649 = phi_5218_;
-                                    let _e2651 = phi_5219_;
-                                    let _e2653 = phi_5220_;
-                                    phi_5228_ = select(_e2651, _e2649, _e2653);
+                                    let _e2652 = phi_5222_;
+                                    let _e2654 = phi_5223_;
+                                    let _e2656 = phi_5224_;
+                                    phi_5232_ = select(_e2654, _e2652, _e2656);
                                 }
-                                let _e2657 = phi_5228_;
-                                phi_4897_ = _e2657;
+                                let _e2660 = phi_5232_;
+                                phi_4901_ = _e2660;
                             } else {
-                                phi_4897_ = _e2580;
+                                phi_4901_ = _e2583;
                             }
-                            let _e2659 = phi_4897_;
-                            phi_4898_ = _e2659;
+                            let _e2662 = phi_4901_;
+                            phi_4902_ = _e2662;
                         }
-                        let _e2661 = phi_4898_;
-                        let _e2662 = bitcast<u32>(_e2661);
-                        if ((_e2662 & 2147483647u) >= 2139095040u) {
-                            phi_4910_ = bitcast<f32>(((_e2662 & 2147483648u) | 2139095039u));
+                        let _e2664 = phi_4902_;
+                        let _e2665 = bitcast<u32>(_e2664);
+                        if ((_e2665 & 2147483647u) >= 2139095040u) {
+                            phi_4914_ = bitcast<f32>(((_e2665 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4910_ = _e2661;
+                            phi_4914_ = _e2664;
                         }
-                        let _e2669 = phi_4910_;
-                        phi_4915_ = type_21(_e2669, _e2552.member.member_1, _e2552.member.member_2, _e2552.member.member_3);
+                        let _e2672 = phi_4914_;
+                        phi_4919_ = type_21(_e2672, _e2555.member.member_1, _e2555.member.member_2, _e2555.member.member_3);
                     } else {
-                        phi_4915_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4919_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2674 = phi_4915_;
+                    let _e2677 = phi_4919_;
                     if _e307 {
                     } else {
                         break;
                     }
-                    global_7.member[_e153] = _e2674;
+                    global_7.member[_e153] = _e2677;
                     if _e168 {
                     } else {
                         break;
                     }
-                    let _e2678 = select(0u, 1u, (_e374 <= _e384));
-                    if (_e2678 > 0u) {
-                        let _e2680 = (1u < _e121);
-                        if _e2680 {
+                    let _e2681 = select(0u, 1u, (_e374 <= _e384));
+                    if (_e2681 > 0u) {
+                        let _e2683 = (1u < _e121);
+                        if _e2683 {
                             if (0u < _e121) {
                             } else {
                                 break;
                             }
-                            let _e2684 = atomicAdd((&global_8.member[0u]), _e2678);
-                            if ((_e2684 + _e2678) < _e2684) {
-                                if _e2680 {
+                            let _e2687 = atomicAdd((&global_8.member[0u]), _e2681);
+                            if ((_e2687 + _e2681) < _e2687) {
+                                if _e2683 {
                                 } else {
                                     break;
                                 }
-                                let _e2689 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e2692 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2692 = select(0u, 1u, (_e2674.member_3 != 4294967295u));
-                    if (_e2692 > 0u) {
-                        let _e2694 = (3u < _e121);
-                        if _e2694 {
+                    let _e2695 = select(0u, 1u, (_e2677.member_3 != 4294967295u));
+                    if (_e2695 > 0u) {
+                        let _e2697 = (3u < _e121);
+                        if _e2697 {
                             if (2u < _e121) {
                             } else {
                                 break;
                             }
-                            let _e2698 = atomicAdd((&global_8.member[2u]), _e2692);
-                            if ((_e2698 + _e2692) < _e2698) {
-                                if _e2694 {
+                            let _e2701 = atomicAdd((&global_8.member[2u]), _e2695);
+                            if ((_e2701 + _e2695) < _e2701) {
+                                if _e2697 {
                                 } else {
                                     break;
                                 }
-                                let _e2703 = atomicAdd((&global_8.member[3u]), 1u);
+                                let _e2706 = atomicAdd((&global_8.member[3u]), 1u);
                             }
                         }
                     }

@@ -129,27 +129,16 @@ fn function_() {
     var phi_927_: u32;
     var phi_935_: f32;
     var phi_936_: f32;
-    var phi_2645_: bool;
+    var phi_2648_: bool;
     var phi_951_: type_48;
-    var phi_954_: bool;
-    var phi_956_: u32;
+    var phi_954_: u32;
+    var phi_956_: bool;
     var phi_958_: u32;
     var phi_960_: u32;
     var phi_971_: bool;
     var phi_1003_: bool;
     var phi_1004_: u32;
     var phi_1005_: u32;
-    var phi_2142_: type_47;
-    var phi_2504_: u32;
-    var phi_2532_: u32;
-    var phi_2533_: u32;
-    var phi_2534_: u32;
-    var phi_2536_: u32;
-    var phi_2537_: u32;
-    var phi_2538_: bool;
-    var phi_2547_: u32;
-    var phi_2552_: bool;
-    var phi_2554_: u32;
     var phi_1020_: type_48;
     var phi_1023_: type_7;
     var phi_1024_: type_7;
@@ -194,35 +183,46 @@ fn function_() {
     var phi_2069_: type_48;
     var phi_2070_: type_48;
     var phi_1021_: type_48;
-    var phi_2639_: bool;
-    var local_2: type_48;
-    var phi_2804_: bool;
-    var phi_2558_: type_48;
-    var phi_2559_: bool;
-    var phi_2560_: u32;
-    var phi_2561_: u32;
-    var phi_2803_: bool;
-    var phi_2562_: type_48;
-    var phi_2563_: bool;
-    var phi_2564_: u32;
-    var phi_2565_: u32;
+    var phi_2642_: bool;
+    var phi_2838_: bool;
+    var phi_2071_: type_48;
+    var phi_2136_: type_47;
+    var phi_2498_: u32;
+    var phi_2525_: u32;
+    var phi_2526_: u32;
+    var phi_2527_: u32;
+    var phi_2529_: u32;
+    var phi_2530_: u32;
+    var phi_2531_: bool;
+    var phi_2540_: u32;
+    var phi_2545_: bool;
+    var phi_2547_: u32;
+    var phi_2551_: bool;
+    var phi_2552_: u32;
+    var phi_2553_: u32;
+    var phi_2563_: u32;
+    var phi_2806_: bool;
+    var phi_2565_: type_48;
     var phi_2566_: u32;
-    var phi_2802_: bool;
-    var phi_2567_: type_48;
-    var phi_2568_: bool;
+    var phi_2567_: bool;
+    var phi_2568_: u32;
     var phi_2569_: u32;
-    var phi_2570_: u32;
+    var phi_2805_: bool;
+    var phi_2570_: type_48;
     var phi_2571_: u32;
-    var phi_2801_: bool;
+    var phi_2572_: bool;
+    var phi_2573_: u32;
+    var phi_2574_: u32;
+    var phi_2804_: bool;
     var phi_952_: type_48;
-    var phi_955_: bool;
-    var phi_957_: u32;
+    var phi_955_: u32;
+    var phi_957_: bool;
     var phi_959_: u32;
     var phi_961_: u32;
-    var phi_2572_: bool;
-    var phi_2800_: bool;
+    var phi_2575_: bool;
+    var phi_2803_: bool;
+    var local_2: type_48;
     var local_3: type_48;
-    var local_4: type_48;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -555,31 +555,31 @@ fn function_() {
                         let _e557 = phi_936_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2645_ = false;
+                        phi_2648_ = false;
                         phi_951_ = type_48(_e555, false);
-                        phi_954_ = (_e557 <= _e555);
-                        phi_956_ = ((3u * _e72) + 1u);
+                        phi_954_ = ((3u * _e72) + 1u);
+                        phi_956_ = (_e557 <= _e555);
                         phi_958_ = 0u;
                         phi_960_ = select(0u, 2147483648u, (_e72 == 0u));
                         loop {
-                            let _e565 = phi_2645_;
+                            let _e565 = phi_2648_;
                             let _e567 = phi_951_;
                             let _e569 = phi_954_;
                             let _e571 = phi_956_;
                             let _e573 = phi_958_;
                             let _e575 = phi_960_;
-                            local_3 = _e567;
-                            if _e569 {
+                            local_2 = _e567;
+                            if _e571 {
                                 phi_971_ = true;
                             } else {
                                 phi_971_ = (_e573 > 0u);
                             }
                             let _e578 = phi_971_;
                             if _e578 {
-                                let _e579 = (_e571 > 0u);
+                                let _e579 = (_e569 > 0u);
                                 if _e579 {
-                                    if _e569 {
-                                        phi_1003_ = _e569;
+                                    if _e571 {
+                                        phi_1003_ = _e571;
                                         phi_1004_ = _e573;
                                         phi_1005_ = _e575;
                                     } else {
@@ -588,13 +588,13 @@ fn function_() {
                                         let _e582 = (_e581 < 128u);
                                         if _e582 {
                                         } else {
-                                            phi_2800_ = true;
+                                            phi_2803_ = true;
                                             break;
                                         }
                                         let _e584 = local_1[_e581];
                                         if _e582 {
                                         } else {
-                                            phi_2800_ = true;
+                                            phi_2803_ = true;
                                             break;
                                         }
                                         let _e586 = local[_e581];
@@ -606,680 +606,688 @@ fn function_() {
                                     let _e592 = phi_1004_;
                                     let _e594 = phi_1005_;
                                     if _e590 {
-                                        if ((_e594 & 2147483648u) != 0u) {
+                                        let _e597 = ((_e594 & 2147483648u) != 0u);
+                                        if _e597 {
                                             phi_1020_ = _e567;
                                             phi_1023_ = type_7(0u, ((_e594 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e792 = phi_1020_;
-                                                let _e794 = phi_1023_;
-                                                local_2 = _e792;
-                                                local_4 = _e792;
-                                                if (_e794.member < _e794.member_1) {
-                                                    phi_1024_ = type_7((_e794.member + 1u), _e794.member_1);
-                                                    phi_1046_ = type_7(1u, _e794.member);
+                                                let _e604 = phi_1020_;
+                                                let _e606 = phi_1023_;
+                                                local_3 = _e604;
+                                                if (_e606.member < _e606.member_1) {
+                                                    phi_1024_ = type_7((_e606.member + 1u), _e606.member_1);
+                                                    phi_1046_ = type_7(1u, _e606.member);
                                                 } else {
-                                                    phi_1024_ = _e794;
+                                                    phi_1024_ = _e606;
                                                     phi_1046_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e807 = phi_1024_;
-                                                let _e809 = phi_1046_;
-                                                let _e813 = (bitcast<i32>(_e809.member) != 0i);
-                                                if _e813 {
-                                                    let _e814 = ((_e594 & 268435455u) + _e809.member_1);
-                                                    let _e815 = (_e814 < _e74);
-                                                    if _e815 {
-                                                        if _e815 {
+                                                let _e619 = phi_1024_;
+                                                let _e621 = phi_1046_;
+                                                let _e625 = (bitcast<i32>(_e621.member) != 0i);
+                                                if _e625 {
+                                                    let _e626 = ((_e594 & 268435455u) + _e621.member_1);
+                                                    let _e627 = (_e626 < _e74);
+                                                    if _e627 {
+                                                        if _e627 {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e819 = global_1.member[_e814].member_1;
-                                                        phi_1067_ = _e819;
+                                                        let _e631 = global_1.member[_e626].member_1;
+                                                        phi_1067_ = _e631;
                                                     } else {
                                                         phi_1067_ = 4294967295u;
                                                     }
-                                                    let _e821 = phi_1067_;
-                                                    if (_e814 >= _e74) {
+                                                    let _e633 = phi_1067_;
+                                                    if (_e626 >= _e74) {
                                                         phi_1159_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e815 {
+                                                        if _e627 {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e823 = (_e224 % 3u);
-                                                        let _e824 = (_e223 % 3u);
-                                                        let _e825 = (_e225 % 3u);
-                                                        if (_e823 < 9u) {
+                                                        let _e635 = (_e224 % 3u);
+                                                        let _e636 = (_e223 % 3u);
+                                                        let _e637 = (_e225 % 3u);
+                                                        if (_e635 < 9u) {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e831 = global_1.member[_e814].member[_e823];
-                                                        if (_e824 < 9u) {
+                                                        let _e643 = global_1.member[_e626].member[_e635];
+                                                        if (_e636 < 9u) {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e837 = global_1.member[_e814].member[_e824];
-                                                        if (_e825 < 9u) {
+                                                        let _e649 = global_1.member[_e626].member[_e636];
+                                                        if (_e637 < 9u) {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e843 = global_1.member[_e814].member[_e825];
-                                                        let _e845 = (3u + _e823);
-                                                        if (_e845 < 9u) {
+                                                        let _e655 = global_1.member[_e626].member[_e637];
+                                                        let _e657 = (3u + _e635);
+                                                        if (_e657 < 9u) {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e851 = global_1.member[_e814].member[_e845];
-                                                        let _e852 = (3u + _e824);
-                                                        if (_e852 < 9u) {
+                                                        let _e663 = global_1.member[_e626].member[_e657];
+                                                        let _e664 = (3u + _e636);
+                                                        if (_e664 < 9u) {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e858 = global_1.member[_e814].member[_e852];
-                                                        let _e859 = (3u + _e825);
-                                                        if (_e859 < 9u) {
+                                                        let _e670 = global_1.member[_e626].member[_e664];
+                                                        let _e671 = (3u + _e637);
+                                                        if (_e671 < 9u) {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e865 = global_1.member[_e814].member[_e859];
-                                                        let _e867 = (6u + _e823);
-                                                        if (_e867 < 9u) {
+                                                        let _e677 = global_1.member[_e626].member[_e671];
+                                                        let _e679 = (6u + _e635);
+                                                        if (_e679 < 9u) {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e873 = global_1.member[_e814].member[_e867];
-                                                        let _e874 = (6u + _e824);
-                                                        if (_e874 < 9u) {
+                                                        let _e685 = global_1.member[_e626].member[_e679];
+                                                        let _e686 = (6u + _e636);
+                                                        if (_e686 < 9u) {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e880 = global_1.member[_e814].member[_e874];
-                                                        let _e881 = (6u + _e825);
-                                                        if (_e881 < 9u) {
+                                                        let _e692 = global_1.member[_e626].member[_e686];
+                                                        let _e693 = (6u + _e637);
+                                                        if (_e693 < 9u) {
                                                         } else {
-                                                            phi_2639_ = true;
+                                                            phi_2642_ = true;
                                                             break;
                                                         }
-                                                        let _e887 = global_1.member[_e814].member[_e881];
-                                                        phi_1159_ = array<array<f32, 3>, 3>(array<f32, 3>(_e831, _e837, _e843), array<f32, 3>(_e851, _e858, _e865), array<f32, 3>(_e873, _e880, _e887));
+                                                        let _e699 = global_1.member[_e626].member[_e693];
+                                                        phi_1159_ = array<array<f32, 3>, 3>(array<f32, 3>(_e643, _e649, _e655), array<f32, 3>(_e663, _e670, _e677), array<f32, 3>(_e685, _e692, _e699));
                                                     }
-                                                    let _e891 = phi_1159_;
-                                                    let _e899 = (_e891[0][2] - _e404);
-                                                    let _e902 = (((_e891[0][0] - _e271) * _e443) - (_e899 * _e311));
-                                                    let _e905 = (((_e891[0][1] - _e338) * _e443) - (_e899 * _e377));
-                                                    let _e912 = (_e891[1][2] - _e404);
-                                                    let _e915 = (((_e891[1][0] - _e271) * _e443) - (_e912 * _e311));
-                                                    let _e918 = (((_e891[1][1] - _e338) * _e443) - (_e912 * _e377));
-                                                    let _e925 = (_e891[2][2] - _e404);
-                                                    let _e928 = (((_e891[2][0] - _e271) * _e443) - (_e925 * _e311));
-                                                    let _e931 = (((_e891[2][1] - _e338) * _e443) - (_e925 * _e377));
-                                                    let _e932 = (_e928 * _e918);
-                                                    let _e933 = (_e931 * _e915);
-                                                    let _e934 = (_e902 * _e931);
-                                                    let _e935 = (_e905 * _e928);
-                                                    let _e936 = (_e915 * _e905);
-                                                    let _e937 = (_e918 * _e902);
-                                                    let _e942 = (((_e932 >= _e933) && (_e934 >= _e935)) && (_e936 >= _e937));
-                                                    if (_e942 || (((_e932 <= _e933) && (_e934 <= _e935)) && (_e936 <= _e937))) {
-                                                        let _e949 = select(-1f, 1f, _e942);
-                                                        let _e951 = ((_e932 - _e933) * _e949);
-                                                        let _e953 = select(0f, _e951, (_e951 > 0f));
-                                                        let _e955 = ((_e934 - _e935) * _e949);
-                                                        let _e957 = select(0f, _e955, (_e955 > 0f));
-                                                        let _e959 = ((_e936 - _e937) * _e949);
-                                                        let _e961 = select(0f, _e959, (_e959 > 0f));
-                                                        let _e963 = ((_e953 + _e957) + _e961);
-                                                        if (_e963 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e703 = phi_1159_;
+                                                    let _e711 = (_e703[0][2] - _e404);
+                                                    let _e714 = (((_e703[0][0] - _e271) * _e443) - (_e711 * _e311));
+                                                    let _e717 = (((_e703[0][1] - _e338) * _e443) - (_e711 * _e377));
+                                                    let _e724 = (_e703[1][2] - _e404);
+                                                    let _e727 = (((_e703[1][0] - _e271) * _e443) - (_e724 * _e311));
+                                                    let _e730 = (((_e703[1][1] - _e338) * _e443) - (_e724 * _e377));
+                                                    let _e737 = (_e703[2][2] - _e404);
+                                                    let _e740 = (((_e703[2][0] - _e271) * _e443) - (_e737 * _e311));
+                                                    let _e743 = (((_e703[2][1] - _e338) * _e443) - (_e737 * _e377));
+                                                    let _e744 = (_e740 * _e730);
+                                                    let _e745 = (_e743 * _e727);
+                                                    let _e746 = (_e714 * _e743);
+                                                    let _e747 = (_e717 * _e740);
+                                                    let _e748 = (_e727 * _e717);
+                                                    let _e749 = (_e730 * _e714);
+                                                    let _e754 = (((_e744 >= _e745) && (_e746 >= _e747)) && (_e748 >= _e749));
+                                                    if (_e754 || (((_e744 <= _e745) && (_e746 <= _e747)) && (_e748 <= _e749))) {
+                                                        let _e761 = select(-1f, 1f, _e754);
+                                                        let _e763 = ((_e744 - _e745) * _e761);
+                                                        let _e765 = select(0f, _e763, (_e763 > 0f));
+                                                        let _e767 = ((_e746 - _e747) * _e761);
+                                                        let _e769 = select(0f, _e767, (_e767 > 0f));
+                                                        let _e771 = ((_e748 - _e749) * _e761);
+                                                        let _e773 = select(0f, _e771, (_e771 > 0f));
+                                                        let _e775 = ((_e765 + _e769) + _e773);
+                                                        if (_e775 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2043_ = type_22();
                                                             phi_2044_ = true;
                                                             phi_2045_ = false;
                                                         } else {
-                                                            let _e966 = select(_e915, _e902, (_e902 < _e915));
-                                                            if (select(_e928, _e966, (_e966 < _e928)) > 0f) {
+                                                            let _e778 = select(_e727, _e714, (_e714 < _e727));
+                                                            if (select(_e740, _e778, (_e778 < _e740)) > 0f) {
                                                                 phi_1311_ = true;
                                                             } else {
-                                                                let _e971 = select(_e915, _e902, (_e902 > _e915));
-                                                                phi_1311_ = (select(_e928, _e971, (_e971 > _e928)) < 0f);
+                                                                let _e783 = select(_e727, _e714, (_e714 > _e727));
+                                                                phi_1311_ = (select(_e740, _e783, (_e783 > _e740)) < 0f);
                                                             }
-                                                            let _e976 = phi_1311_;
-                                                            if _e976 {
+                                                            let _e788 = phi_1311_;
+                                                            if _e788 {
                                                                 phi_2040_ = type_22();
                                                                 phi_2041_ = true;
                                                                 phi_2042_ = false;
                                                             } else {
-                                                                let _e978 = select(_e918, _e905, (_e905 < _e918));
-                                                                if (select(_e931, _e978, (_e978 < _e931)) > 0f) {
+                                                                let _e790 = select(_e730, _e717, (_e717 < _e730));
+                                                                if (select(_e743, _e790, (_e790 < _e743)) > 0f) {
                                                                     phi_1340_ = true;
                                                                 } else {
-                                                                    let _e983 = select(_e918, _e905, (_e905 > _e918));
-                                                                    phi_1340_ = (select(_e931, _e983, (_e983 > _e931)) < 0f);
+                                                                    let _e795 = select(_e730, _e717, (_e717 > _e730));
+                                                                    phi_1340_ = (select(_e743, _e795, (_e795 > _e743)) < 0f);
                                                                 }
-                                                                let _e988 = phi_1340_;
-                                                                if _e988 {
+                                                                let _e800 = phi_1340_;
+                                                                if _e800 {
                                                                     phi_2038_ = type_22();
                                                                     phi_2039_ = false;
                                                                 } else {
-                                                                    let _e990 = select(_e891[1][0], _e891[0][0], (_e891[0][0] < _e891[1][0]));
-                                                                    let _e994 = select(_e891[1][0], _e891[0][0], (_e891[0][0] > _e891[1][0]));
-                                                                    let _e998 = select(_e891[1][1], _e891[0][1], (_e891[0][1] < _e891[1][1]));
-                                                                    let _e1002 = select(_e891[1][1], _e891[0][1], (_e891[0][1] > _e891[1][1]));
-                                                                    let _e1006 = select(_e891[1][2], _e891[0][2], (_e891[0][2] < _e891[1][2]));
-                                                                    let _e1010 = select(_e891[1][2], _e891[0][2], (_e891[0][2] > _e891[1][2]));
-                                                                    let _e1015 = ((select(_e891[2][0], _e990, (_e990 < _e891[2][0])) - _e309) * _e314);
-                                                                    let _e1016 = ((select(_e891[2][0], _e994, (_e994 > _e891[2][0])) - _e310) * _e314);
-                                                                    let _e1019 = ((select(_e891[2][1], _e998, (_e998 < _e891[2][1])) - _e375) * _e380);
-                                                                    let _e1020 = ((select(_e891[2][1], _e1002, (_e1002 > _e891[2][1])) - _e376) * _e380);
-                                                                    let _e1023 = ((select(_e891[2][2], _e1006, (_e1006 < _e891[2][2])) - _e441) * _e446);
-                                                                    let _e1024 = ((select(_e891[2][2], _e1010, (_e1010 > _e891[2][2])) - _e442) * _e446);
-                                                                    let _e1026 = select(_e1024, _e1023, (_e1023 < _e1024));
-                                                                    let _e1028 = select(_e1024, _e1023, (_e1023 > _e1024));
-                                                                    let _e1030 = select(_e1016, _e1015, (_e1015 < _e1016));
-                                                                    let _e1032 = select(_e1020, _e1019, (_e1019 < _e1020));
-                                                                    let _e1034 = select(_e1032, _e1030, (_e1030 > _e1032));
-                                                                    let _e1036 = select(_e1026, _e1034, (_e1034 > _e1026));
-                                                                    let _e1038 = select(_e1016, _e1015, (_e1015 > _e1016));
-                                                                    let _e1040 = select(_e1020, _e1019, (_e1019 > _e1020));
-                                                                    let _e1042 = select(_e1040, _e1038, (_e1038 < _e1040));
-                                                                    let _e1044 = select(_e1028, _e1042, (_e1042 < _e1028));
-                                                                    let _e1045 = -(_e1026);
-                                                                    let _e1051 = select(_e557, _e1036, (_e1036 > _e557));
-                                                                    if (_e1051 > (_e1044 + (select(_e1045, _e1028, (_e1028 > _e1045)) * 0.0000019073523f))) {
+                                                                    let _e802 = select(_e703[1][0], _e703[0][0], (_e703[0][0] < _e703[1][0]));
+                                                                    let _e806 = select(_e703[1][0], _e703[0][0], (_e703[0][0] > _e703[1][0]));
+                                                                    let _e810 = select(_e703[1][1], _e703[0][1], (_e703[0][1] < _e703[1][1]));
+                                                                    let _e814 = select(_e703[1][1], _e703[0][1], (_e703[0][1] > _e703[1][1]));
+                                                                    let _e818 = select(_e703[1][2], _e703[0][2], (_e703[0][2] < _e703[1][2]));
+                                                                    let _e822 = select(_e703[1][2], _e703[0][2], (_e703[0][2] > _e703[1][2]));
+                                                                    let _e827 = ((select(_e703[2][0], _e802, (_e802 < _e703[2][0])) - _e309) * _e314);
+                                                                    let _e828 = ((select(_e703[2][0], _e806, (_e806 > _e703[2][0])) - _e310) * _e314);
+                                                                    let _e831 = ((select(_e703[2][1], _e810, (_e810 < _e703[2][1])) - _e375) * _e380);
+                                                                    let _e832 = ((select(_e703[2][1], _e814, (_e814 > _e703[2][1])) - _e376) * _e380);
+                                                                    let _e835 = ((select(_e703[2][2], _e818, (_e818 < _e703[2][2])) - _e441) * _e446);
+                                                                    let _e836 = ((select(_e703[2][2], _e822, (_e822 > _e703[2][2])) - _e442) * _e446);
+                                                                    let _e838 = select(_e836, _e835, (_e835 < _e836));
+                                                                    let _e840 = select(_e836, _e835, (_e835 > _e836));
+                                                                    let _e842 = select(_e828, _e827, (_e827 < _e828));
+                                                                    let _e844 = select(_e832, _e831, (_e831 < _e832));
+                                                                    let _e846 = select(_e844, _e842, (_e842 > _e844));
+                                                                    let _e848 = select(_e838, _e846, (_e846 > _e838));
+                                                                    let _e850 = select(_e828, _e827, (_e827 > _e828));
+                                                                    let _e852 = select(_e832, _e831, (_e831 > _e832));
+                                                                    let _e854 = select(_e852, _e850, (_e850 < _e852));
+                                                                    let _e856 = select(_e840, _e854, (_e854 < _e840));
+                                                                    let _e857 = -(_e838);
+                                                                    let _e863 = select(_e557, _e848, (_e848 > _e557));
+                                                                    if (_e863 > (_e856 + (select(_e857, _e840, (_e840 > _e857)) * 0.0000019073523f))) {
                                                                         phi_2033_ = type_22();
                                                                         phi_2034_ = true;
                                                                     } else {
-                                                                        let _e1053 = (_e1051 > _e792.member);
-                                                                        if _e1053 {
+                                                                        let _e865 = (_e863 > _e604.member);
+                                                                        if _e865 {
                                                                             phi_2032_ = type_22();
                                                                         } else {
-                                                                            let _e1054 = vec3<f32>(_e891[0][0], _e891[0][1], _e891[0][2]);
-                                                                            let _e1055 = vec3<f32>(_e891[1][0], _e891[1][1], _e891[1][2]);
-                                                                            let _e1056 = vec3<f32>(_e891[2][0], _e891[2][1], _e891[2][2]);
-                                                                            let _e1057 = (_e891[1][0] - _e891[0][0]);
-                                                                            let _e1058 = (_e891[1][1] - _e891[0][1]);
-                                                                            let _e1059 = (_e891[1][2] - _e891[0][2]);
-                                                                            let _e1060 = vec3<f32>(_e1057, _e1058, _e1059);
-                                                                            let _e1061 = (_e891[2][0] - _e891[1][0]);
-                                                                            let _e1062 = (_e891[2][1] - _e891[1][1]);
-                                                                            let _e1063 = (_e891[2][2] - _e891[1][2]);
-                                                                            let _e1064 = vec3<f32>(_e1061, _e1062, _e1063);
-                                                                            let _e1065 = (_e891[0][0] - _e891[2][0]);
-                                                                            let _e1066 = (_e891[0][1] - _e891[2][1]);
-                                                                            let _e1067 = (_e891[0][2] - _e891[2][2]);
-                                                                            let _e1068 = vec3<f32>(_e1065, _e1066, _e1067);
-                                                                            let _e1071 = bitcast<f32>((bitcast<u32>(_e1057) & 2147483647u));
-                                                                            let _e1074 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
-                                                                            let _e1076 = select(_e1074, _e1071, (_e1071 > _e1074));
-                                                                            let _e1079 = bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u));
-                                                                            let _e1081 = select(_e1079, _e1076, (_e1076 > _e1079));
-                                                                            let _e1084 = bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u));
-                                                                            let _e1087 = bitcast<f32>((bitcast<u32>(_e1062) & 2147483647u));
-                                                                            let _e1089 = select(_e1087, _e1084, (_e1084 > _e1087));
-                                                                            let _e1092 = bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u));
-                                                                            let _e1094 = select(_e1092, _e1089, (_e1089 > _e1092));
-                                                                            let _e1097 = bitcast<f32>((bitcast<u32>(_e1065) & 2147483647u));
-                                                                            let _e1100 = bitcast<f32>((bitcast<u32>(_e1066) & 2147483647u));
-                                                                            let _e1102 = select(_e1100, _e1097, (_e1097 > _e1100));
-                                                                            let _e1105 = bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u));
-                                                                            let _e1107 = select(_e1105, _e1102, (_e1102 > _e1105));
-                                                                            let _e1109 = select(_e1094, _e1081, (_e1081 > _e1094));
-                                                                            let _e1111 = select(_e1107, _e1109, (_e1109 > _e1107));
-                                                                            if (_e1081 == _e1111) {
-                                                                                phi_1759_ = _e918;
-                                                                                phi_1760_ = _e915;
-                                                                                phi_1761_ = _e905;
-                                                                                phi_1762_ = _e902;
-                                                                                phi_1763_ = _e1054;
-                                                                                phi_1764_ = _e1068;
-                                                                                phi_1765_ = _e1064;
-                                                                                phi_1766_ = _e1060;
+                                                                            let _e866 = vec3<f32>(_e703[0][0], _e703[0][1], _e703[0][2]);
+                                                                            let _e867 = vec3<f32>(_e703[1][0], _e703[1][1], _e703[1][2]);
+                                                                            let _e868 = vec3<f32>(_e703[2][0], _e703[2][1], _e703[2][2]);
+                                                                            let _e869 = (_e703[1][0] - _e703[0][0]);
+                                                                            let _e870 = (_e703[1][1] - _e703[0][1]);
+                                                                            let _e871 = (_e703[1][2] - _e703[0][2]);
+                                                                            let _e872 = vec3<f32>(_e869, _e870, _e871);
+                                                                            let _e873 = (_e703[2][0] - _e703[1][0]);
+                                                                            let _e874 = (_e703[2][1] - _e703[1][1]);
+                                                                            let _e875 = (_e703[2][2] - _e703[1][2]);
+                                                                            let _e876 = vec3<f32>(_e873, _e874, _e875);
+                                                                            let _e877 = (_e703[0][0] - _e703[2][0]);
+                                                                            let _e878 = (_e703[0][1] - _e703[2][1]);
+                                                                            let _e879 = (_e703[0][2] - _e703[2][2]);
+                                                                            let _e880 = vec3<f32>(_e877, _e878, _e879);
+                                                                            let _e883 = bitcast<f32>((bitcast<u32>(_e869) & 2147483647u));
+                                                                            let _e886 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
+                                                                            let _e888 = select(_e886, _e883, (_e883 > _e886));
+                                                                            let _e891 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
+                                                                            let _e893 = select(_e891, _e888, (_e888 > _e891));
+                                                                            let _e896 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
+                                                                            let _e899 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
+                                                                            let _e901 = select(_e899, _e896, (_e896 > _e899));
+                                                                            let _e904 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
+                                                                            let _e906 = select(_e904, _e901, (_e901 > _e904));
+                                                                            let _e909 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
+                                                                            let _e912 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
+                                                                            let _e914 = select(_e912, _e909, (_e909 > _e912));
+                                                                            let _e917 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
+                                                                            let _e919 = select(_e917, _e914, (_e914 > _e917));
+                                                                            let _e921 = select(_e906, _e893, (_e893 > _e906));
+                                                                            let _e923 = select(_e919, _e921, (_e921 > _e919));
+                                                                            if (_e893 == _e923) {
+                                                                                phi_1759_ = _e730;
+                                                                                phi_1760_ = _e727;
+                                                                                phi_1761_ = _e717;
+                                                                                phi_1762_ = _e714;
+                                                                                phi_1763_ = _e866;
+                                                                                phi_1764_ = _e880;
+                                                                                phi_1765_ = _e876;
+                                                                                phi_1766_ = _e872;
                                                                             } else {
-                                                                                let _e1113 = (_e1094 == _e1111);
-                                                                                let _e1118 = vec3(_e1113);
-                                                                                phi_1759_ = select(_e905, _e931, _e1113);
-                                                                                phi_1760_ = select(_e902, _e928, _e1113);
-                                                                                phi_1761_ = select(_e931, _e918, _e1113);
-                                                                                phi_1762_ = select(_e928, _e915, _e1113);
-                                                                                phi_1763_ = select(_e1056, _e1055, _e1118);
-                                                                                phi_1764_ = select(_e1064, _e1060, _e1118);
-                                                                                phi_1765_ = select(_e1060, _e1068, _e1118);
-                                                                                phi_1766_ = select(_e1068, _e1064, _e1118);
+                                                                                let _e925 = (_e906 == _e923);
+                                                                                let _e930 = vec3(_e925);
+                                                                                phi_1759_ = select(_e717, _e743, _e925);
+                                                                                phi_1760_ = select(_e714, _e740, _e925);
+                                                                                phi_1761_ = select(_e743, _e730, _e925);
+                                                                                phi_1762_ = select(_e740, _e727, _e925);
+                                                                                phi_1763_ = select(_e868, _e867, _e930);
+                                                                                phi_1764_ = select(_e876, _e872, _e930);
+                                                                                phi_1765_ = select(_e872, _e880, _e930);
+                                                                                phi_1766_ = select(_e880, _e876, _e930);
                                                                             }
-                                                                            let _e1124 = phi_1759_;
-                                                                            let _e1126 = phi_1760_;
-                                                                            let _e1128 = phi_1761_;
-                                                                            let _e1130 = phi_1762_;
-                                                                            let _e1132 = phi_1763_;
-                                                                            let _e1134 = phi_1764_;
-                                                                            let _e1136 = phi_1765_;
-                                                                            let _e1138 = phi_1766_;
-                                                                            let _e1145 = ((_e1136.y * _e1134.z) - (_e1134.y * _e1136.z));
-                                                                            let _e1150 = ((_e1136.z * _e1134.x) - (_e1134.z * _e1136.x));
-                                                                            let _e1153 = ((_e1136.x * _e1134.y) - (_e1134.x * _e1136.y));
-                                                                            if (_e953 >= _e957) {
-                                                                                phi_1803_ = select(true, false, (_e953 >= _e961));
+                                                                            let _e936 = phi_1759_;
+                                                                            let _e938 = phi_1760_;
+                                                                            let _e940 = phi_1761_;
+                                                                            let _e942 = phi_1762_;
+                                                                            let _e944 = phi_1763_;
+                                                                            let _e946 = phi_1764_;
+                                                                            let _e948 = phi_1765_;
+                                                                            let _e950 = phi_1766_;
+                                                                            let _e957 = ((_e948.y * _e946.z) - (_e946.y * _e948.z));
+                                                                            let _e962 = ((_e948.z * _e946.x) - (_e946.z * _e948.x));
+                                                                            let _e965 = ((_e948.x * _e946.y) - (_e946.x * _e948.y));
+                                                                            if (_e765 >= _e769) {
+                                                                                phi_1803_ = select(true, false, (_e765 >= _e773));
                                                                             } else {
                                                                                 phi_1803_ = true;
                                                                             }
-                                                                            let _e1158 = phi_1803_;
-                                                                            if _e1158 {
-                                                                                phi_1812_ = select(_e1056, _e1055, vec3((_e957 >= _e961)));
+                                                                            let _e970 = phi_1803_;
+                                                                            if _e970 {
+                                                                                phi_1812_ = select(_e868, _e867, vec3((_e769 >= _e773)));
                                                                             } else {
-                                                                                phi_1812_ = _e1054;
+                                                                                phi_1812_ = _e866;
                                                                             }
-                                                                            let _e1163 = phi_1812_;
-                                                                            let _e1174 = (((_e1145 * (_e1163.x - _e271)) + (_e1150 * (_e1163.y - _e338))) + (_e1153 * (_e1163.z - _e404)));
-                                                                            let _e1179 = (((_e1145 * _e311) + (_e1150 * _e377)) + (_e1153 * _e443));
-                                                                            let _e1180 = (_e1126 - _e1130);
-                                                                            let _e1181 = (_e1124 - _e1128);
-                                                                            let _e1189 = (-(((_e1130 * _e1180) + (_e1128 * _e1181))) / ((_e1180 * _e1180) + (_e1181 * _e1181)));
-                                                                            let _e1191 = select(1f, _e1189, (_e1189 < 1f));
-                                                                            let _e1193 = select(0f, _e1191, (_e1191 > 0f));
-                                                                            let _e1206 = ((_e1132.x + (_e1138.x * _e1193)) - _e271);
-                                                                            let _e1207 = ((_e1132.y + (_e1138.y * _e1193)) - _e338);
-                                                                            let _e1208 = ((_e1132.z + (_e1138.z * _e1193)) - _e404);
-                                                                            let _e1209 = (_e1208 / _e443);
-                                                                            let _e1221 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
-                                                                            let _e1224 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
-                                                                            let _e1226 = select(_e1224, _e1221, (_e1221 > _e1224));
-                                                                            let _e1229 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
-                                                                            let _e1231 = select(_e1229, _e1226, (_e1226 > _e1229));
-                                                                            let _e1237 = bitcast<f32>((bitcast<u32>(_e1145) & 2147483647u));
-                                                                            let _e1240 = bitcast<f32>((bitcast<u32>(_e1150) & 2147483647u));
-                                                                            let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
-                                                                            let _e1245 = bitcast<f32>((bitcast<u32>(_e1153) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1145 * _e1206) + (_e1150 * _e1207)) + (_e1153 * _e1208)) - _e1174)) & 2147483647u)) <= ((0.0000009536743f * select(_e1111, _e1231, (_e1231 > _e1111))) * select(_e1245, _e1242, (_e1242 > _e1245)))) {
-                                                                                let _e1255 = bitcast<f32>((bitcast<u32>(_e1136.x) & 2147483647u));
-                                                                                let _e1258 = bitcast<f32>((bitcast<u32>(_e1136.y) & 2147483647u));
-                                                                                let _e1260 = select(_e1258, _e1255, (_e1255 > _e1258));
-                                                                                let _e1263 = bitcast<f32>((bitcast<u32>(_e1136.z) & 2147483647u));
-                                                                                let _e1269 = bitcast<f32>((bitcast<u32>(_e1134.x) & 2147483647u));
-                                                                                let _e1272 = bitcast<f32>((bitcast<u32>(_e1134.y) & 2147483647u));
-                                                                                let _e1274 = select(_e1272, _e1269, (_e1269 > _e1272));
-                                                                                let _e1277 = bitcast<f32>((bitcast<u32>(_e1134.z) & 2147483647u));
-                                                                                let _e1281 = (bitcast<f32>((bitcast<u32>(_e1179) & 2147483647u)) > ((0.0000038146973f * select(_e1263, _e1260, (_e1260 > _e1263))) * select(_e1277, _e1274, (_e1274 > _e1277))));
-                                                                                if _e1281 {
-                                                                                    phi_1977_ = (_e1174 / _e1179);
+                                                                            let _e975 = phi_1812_;
+                                                                            let _e986 = (((_e957 * (_e975.x - _e271)) + (_e962 * (_e975.y - _e338))) + (_e965 * (_e975.z - _e404)));
+                                                                            let _e991 = (((_e957 * _e311) + (_e962 * _e377)) + (_e965 * _e443));
+                                                                            let _e992 = (_e938 - _e942);
+                                                                            let _e993 = (_e936 - _e940);
+                                                                            let _e1001 = (-(((_e942 * _e992) + (_e940 * _e993))) / ((_e992 * _e992) + (_e993 * _e993)));
+                                                                            let _e1003 = select(1f, _e1001, (_e1001 < 1f));
+                                                                            let _e1005 = select(0f, _e1003, (_e1003 > 0f));
+                                                                            let _e1018 = ((_e944.x + (_e950.x * _e1005)) - _e271);
+                                                                            let _e1019 = ((_e944.y + (_e950.y * _e1005)) - _e338);
+                                                                            let _e1020 = ((_e944.z + (_e950.z * _e1005)) - _e404);
+                                                                            let _e1021 = (_e1020 / _e443);
+                                                                            let _e1033 = bitcast<f32>((bitcast<u32>(_e1018) & 2147483647u));
+                                                                            let _e1036 = bitcast<f32>((bitcast<u32>(_e1019) & 2147483647u));
+                                                                            let _e1038 = select(_e1036, _e1033, (_e1033 > _e1036));
+                                                                            let _e1041 = bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u));
+                                                                            let _e1043 = select(_e1041, _e1038, (_e1038 > _e1041));
+                                                                            let _e1049 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
+                                                                            let _e1052 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
+                                                                            let _e1054 = select(_e1052, _e1049, (_e1049 > _e1052));
+                                                                            let _e1057 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e957 * _e1018) + (_e962 * _e1019)) + (_e965 * _e1020)) - _e986)) & 2147483647u)) <= ((0.0000009536743f * select(_e923, _e1043, (_e1043 > _e923))) * select(_e1057, _e1054, (_e1054 > _e1057)))) {
+                                                                                let _e1067 = bitcast<f32>((bitcast<u32>(_e948.x) & 2147483647u));
+                                                                                let _e1070 = bitcast<f32>((bitcast<u32>(_e948.y) & 2147483647u));
+                                                                                let _e1072 = select(_e1070, _e1067, (_e1067 > _e1070));
+                                                                                let _e1075 = bitcast<f32>((bitcast<u32>(_e948.z) & 2147483647u));
+                                                                                let _e1081 = bitcast<f32>((bitcast<u32>(_e946.x) & 2147483647u));
+                                                                                let _e1084 = bitcast<f32>((bitcast<u32>(_e946.y) & 2147483647u));
+                                                                                let _e1086 = select(_e1084, _e1081, (_e1081 > _e1084));
+                                                                                let _e1089 = bitcast<f32>((bitcast<u32>(_e946.z) & 2147483647u));
+                                                                                let _e1093 = (bitcast<f32>((bitcast<u32>(_e991) & 2147483647u)) > ((0.0000038146973f * select(_e1075, _e1072, (_e1072 > _e1075))) * select(_e1089, _e1086, (_e1086 > _e1089))));
+                                                                                if _e1093 {
+                                                                                    phi_1977_ = (_e986 / _e991);
                                                                                 } else {
                                                                                     phi_1977_ = f32();
                                                                                 }
-                                                                                let _e1284 = phi_1977_;
-                                                                                phi_1979_ = _e1284;
-                                                                                phi_1980_ = select(true, false, _e1281);
+                                                                                let _e1096 = phi_1977_;
+                                                                                phi_1979_ = _e1096;
+                                                                                phi_1980_ = select(true, false, _e1093);
                                                                             } else {
                                                                                 phi_1979_ = f32();
                                                                                 phi_1980_ = true;
                                                                             }
-                                                                            let _e1287 = phi_1979_;
-                                                                            let _e1289 = phi_1980_;
-                                                                            if _e1289 {
-                                                                                let _e1297 = (((_e1145 * (_e1206 - (_e311 * _e1209))) + (_e1150 * (_e1207 - (_e377 * _e1209)))) / _e1179);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1297) & 2147483647u)) <= _e1111) {
-                                                                                    phi_2000_ = (_e1209 + _e1297);
+                                                                            let _e1099 = phi_1979_;
+                                                                            let _e1101 = phi_1980_;
+                                                                            if _e1101 {
+                                                                                let _e1109 = (((_e957 * (_e1018 - (_e311 * _e1021))) + (_e962 * (_e1019 - (_e377 * _e1021)))) / _e991);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u)) <= _e923) {
+                                                                                    phi_2000_ = (_e1021 + _e1109);
                                                                                 } else {
-                                                                                    phi_2000_ = _e1209;
+                                                                                    phi_2000_ = _e1021;
                                                                                 }
-                                                                                let _e1304 = phi_2000_;
-                                                                                phi_2001_ = _e1304;
+                                                                                let _e1116 = phi_2000_;
+                                                                                phi_2001_ = _e1116;
                                                                             } else {
-                                                                                phi_2001_ = _e1287;
+                                                                                phi_2001_ = _e1099;
                                                                             }
-                                                                            let _e1306 = phi_2001_;
-                                                                            let _e1308 = select(_e1044, _e1306, (_e1306 < _e1044));
-                                                                            let _e1310 = select(_e1036, _e1308, (_e1308 > _e1036));
-                                                                            if (_e1310 >= _e557) {
-                                                                                let _e1312 = (_e1310 <= _e792.member);
-                                                                                if _e1312 {
-                                                                                    let _e1313 = (1f / _e963);
-                                                                                    phi_2024_ = type_22(_e1310, (_e957 * _e1313), (_e961 * _e1313), _e821);
+                                                                            let _e1118 = phi_2001_;
+                                                                            let _e1120 = select(_e856, _e1118, (_e1118 < _e856));
+                                                                            let _e1122 = select(_e848, _e1120, (_e1120 > _e848));
+                                                                            if (_e1122 >= _e557) {
+                                                                                let _e1124 = (_e1122 <= _e604.member);
+                                                                                if _e1124 {
+                                                                                    let _e1125 = (1f / _e775);
+                                                                                    phi_2024_ = type_22(_e1122, (_e769 * _e1125), (_e773 * _e1125), _e633);
                                                                                 } else {
                                                                                     phi_2024_ = type_22();
                                                                                 }
-                                                                                let _e1318 = phi_2024_;
-                                                                                phi_2026_ = _e1318;
-                                                                                phi_2027_ = select(true, false, _e1312);
+                                                                                let _e1130 = phi_2024_;
+                                                                                phi_2026_ = _e1130;
+                                                                                phi_2027_ = select(true, false, _e1124);
                                                                             } else {
                                                                                 phi_2026_ = type_22();
                                                                                 phi_2027_ = true;
                                                                             }
-                                                                            let _e1321 = phi_2026_;
-                                                                            let _e1323 = phi_2027_;
-                                                                            if _e1323 {
+                                                                            let _e1133 = phi_2026_;
+                                                                            let _e1135 = phi_2027_;
+                                                                            if _e1135 {
                                                                                 phi_2031_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2031_ = _e1321;
+                                                                                phi_2031_ = _e1133;
                                                                             }
-                                                                            let _e1325 = phi_2031_;
-                                                                            phi_2032_ = _e1325;
+                                                                            let _e1137 = phi_2031_;
+                                                                            phi_2032_ = _e1137;
                                                                         }
-                                                                        let _e1327 = phi_2032_;
-                                                                        phi_2033_ = _e1327;
-                                                                        phi_2034_ = _e1053;
+                                                                        let _e1139 = phi_2032_;
+                                                                        phi_2033_ = _e1139;
+                                                                        phi_2034_ = _e865;
                                                                     }
-                                                                    let _e1329 = phi_2033_;
-                                                                    let _e1331 = phi_2034_;
-                                                                    phi_2038_ = _e1329;
-                                                                    phi_2039_ = _e1331;
+                                                                    let _e1141 = phi_2033_;
+                                                                    let _e1143 = phi_2034_;
+                                                                    phi_2038_ = _e1141;
+                                                                    phi_2039_ = _e1143;
                                                                 }
-                                                                let _e1333 = phi_2038_;
-                                                                let _e1335 = phi_2039_;
-                                                                phi_2040_ = _e1333;
-                                                                phi_2041_ = _e988;
-                                                                phi_2042_ = _e1335;
+                                                                let _e1145 = phi_2038_;
+                                                                let _e1147 = phi_2039_;
+                                                                phi_2040_ = _e1145;
+                                                                phi_2041_ = _e800;
+                                                                phi_2042_ = _e1147;
                                                             }
-                                                            let _e1337 = phi_2040_;
-                                                            let _e1339 = phi_2041_;
-                                                            let _e1341 = phi_2042_;
-                                                            phi_2043_ = _e1337;
-                                                            phi_2044_ = _e1339;
-                                                            phi_2045_ = _e1341;
+                                                            let _e1149 = phi_2040_;
+                                                            let _e1151 = phi_2041_;
+                                                            let _e1153 = phi_2042_;
+                                                            phi_2043_ = _e1149;
+                                                            phi_2044_ = _e1151;
+                                                            phi_2045_ = _e1153;
                                                         }
-                                                        let _e1343 = phi_2043_;
-                                                        let _e1345 = phi_2044_;
-                                                        let _e1347 = phi_2045_;
-                                                        phi_2053_ = _e1343;
-                                                        phi_2054_ = select(_e1347, true, _e1345);
+                                                        let _e1155 = phi_2043_;
+                                                        let _e1157 = phi_2044_;
+                                                        let _e1159 = phi_2045_;
+                                                        phi_2053_ = _e1155;
+                                                        phi_2054_ = select(_e1159, true, _e1157);
                                                     } else {
                                                         phi_2053_ = type_22();
                                                         phi_2054_ = true;
                                                     }
-                                                    let _e1350 = phi_2053_;
-                                                    let _e1352 = phi_2054_;
-                                                    if _e1352 {
+                                                    let _e1162 = phi_2053_;
+                                                    let _e1164 = phi_2054_;
+                                                    if _e1164 {
                                                         phi_2058_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2058_ = _e1350;
+                                                        phi_2058_ = _e1162;
                                                     }
-                                                    let _e1354 = phi_2058_;
-                                                    if (_e1354.member_3 != 4294967295u) {
-                                                        if (_e821 != _e91) {
-                                                            phi_2069_ = type_48(_e792.member, true);
+                                                    let _e1166 = phi_2058_;
+                                                    if (_e1166.member_3 != 4294967295u) {
+                                                        if (_e633 != _e91) {
+                                                            phi_2069_ = type_48(_e604.member, true);
                                                         } else {
-                                                            phi_2069_ = _e792;
+                                                            phi_2069_ = _e604;
                                                         }
-                                                        let _e1362 = phi_2069_;
-                                                        phi_2070_ = _e1362;
+                                                        let _e1174 = phi_2069_;
+                                                        phi_2070_ = _e1174;
                                                     } else {
-                                                        phi_2070_ = _e792;
+                                                        phi_2070_ = _e604;
                                                     }
-                                                    let _e1364 = phi_2070_;
-                                                    phi_1021_ = _e1364;
+                                                    let _e1176 = phi_2070_;
+                                                    phi_1021_ = _e1176;
                                                 } else {
                                                     phi_1021_ = type_48();
                                                 }
-                                                let _e1366 = phi_1021_;
+                                                let _e1178 = phi_1021_;
                                                 continue;
                                                 continuing {
-                                                    phi_1020_ = _e1366;
-                                                    phi_1023_ = _e807;
-                                                    phi_2639_ = _e565;
-                                                    break if !(_e813);
+                                                    phi_1020_ = _e1178;
+                                                    phi_1023_ = _e619;
+                                                    phi_2642_ = _e565;
+                                                    break if !(_e625);
                                                 }
                                             }
-                                            let _e1369 = phi_2639_;
-                                            phi_2800_ = _e1369;
-                                            if _e1369 {
+                                            let _e1181 = phi_2642_;
+                                            phi_2803_ = _e1181;
+                                            if _e1181 {
                                                 break;
                                             }
-                                            let _e1371 = local_2;
-                                            phi_2804_ = _e1369;
-                                            let _e1562 = local_4;
-                                            phi_2558_ = _e1562;
-                                            phi_2559_ = false;
-                                            phi_2560_ = select(_e592, 0u, _e1371.member_1);
-                                            phi_2561_ = _e594;
+                                            phi_2838_ = _e1181;
+                                            let _e1551 = local_3;
+                                            phi_2071_ = _e1551;
+                                        } else {
+                                            phi_2838_ = _e565;
+                                            phi_2071_ = _e567;
+                                        }
+                                        let _e1183 = phi_2838_;
+                                        let _e1185 = phi_2071_;
+                                        if _e597 {
+                                            phi_2551_ = bool();
+                                            phi_2552_ = u32();
+                                            phi_2553_ = u32();
                                         } else {
                                             if (_e594 >= _e72) {
-                                                phi_2142_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                                phi_2136_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
                                                 if (_e594 < _e72) {
                                                 } else {
-                                                    phi_2800_ = true;
+                                                    phi_2803_ = true;
                                                     break;
                                                 }
-                                                let _e604 = (_e224 % 3u);
-                                                if (_e604 < 3u) {
+                                                let _e1188 = (_e224 % 3u);
+                                                if (_e1188 < 3u) {
                                                 } else {
-                                                    phi_2800_ = true;
+                                                    phi_2803_ = true;
                                                     break;
                                                 }
-                                                let _e610 = global_2.member[_e594].member[_e604];
-                                                let _e616 = (_e223 % 3u);
-                                                if (_e616 < 3u) {
+                                                let _e1194 = global_2.member[_e594].member[_e1188];
+                                                let _e1200 = (_e223 % 3u);
+                                                if (_e1200 < 3u) {
                                                 } else {
-                                                    phi_2800_ = true;
+                                                    phi_2803_ = true;
                                                     break;
                                                 }
-                                                let _e622 = global_2.member[_e594].member[_e616];
-                                                let _e628 = (_e225 % 3u);
-                                                if (_e628 < 3u) {
+                                                let _e1206 = global_2.member[_e594].member[_e1200];
+                                                let _e1212 = (_e225 % 3u);
+                                                if (_e1212 < 3u) {
                                                 } else {
-                                                    phi_2800_ = true;
+                                                    phi_2803_ = true;
                                                     break;
                                                 }
-                                                let _e634 = global_2.member[_e594].member[_e628];
-                                                let _e644 = global_2.member[_e594].member_1;
-                                                let _e648 = global_2.member[_e594].member_2;
-                                                phi_2142_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e610[0], _e610[1], _e610[2], _e610[3]), vec4<f32>(_e622[0], _e622[1], _e622[2], _e622[3]), vec4<f32>(_e634[0], _e634[1], _e634[2], _e634[3])), _e644, _e648);
+                                                let _e1218 = global_2.member[_e594].member[_e1212];
+                                                let _e1228 = global_2.member[_e594].member_1;
+                                                let _e1232 = global_2.member[_e594].member_2;
+                                                phi_2136_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e1194[0], _e1194[1], _e1194[2], _e1194[3]), vec4<f32>(_e1206[0], _e1206[1], _e1206[2], _e1206[3]), vec4<f32>(_e1218[0], _e1218[1], _e1218[2], _e1218[3])), _e1228, _e1232);
                                             }
-                                            let _e651 = phi_2142_;
-                                            let _e663 = ((_e651.member[0].x - _e309) * _e314);
-                                            let _e664 = ((_e651.member[0].y - _e309) * _e314);
-                                            let _e665 = ((_e651.member[0].z - _e310) * _e314);
-                                            let _e666 = ((_e651.member[0].w - _e310) * _e314);
-                                            let _e676 = ((_e651.member[1].x - _e375) * _e380);
-                                            let _e677 = ((_e651.member[1].y - _e375) * _e380);
-                                            let _e678 = ((_e651.member[1].z - _e376) * _e380);
-                                            let _e679 = ((_e651.member[1].w - _e376) * _e380);
-                                            let _e689 = ((_e651.member[2].x - _e441) * _e446);
-                                            let _e690 = ((_e651.member[2].y - _e441) * _e446);
-                                            let _e691 = ((_e651.member[2].z - _e442) * _e446);
-                                            let _e692 = ((_e651.member[2].w - _e442) * _e446);
-                                            let _e694 = select(_e691, _e689, (_e689 < _e691));
-                                            let _e696 = select(_e692, _e690, (_e690 < _e692));
-                                            let _e698 = select(_e691, _e689, (_e689 > _e691));
-                                            let _e700 = select(_e692, _e690, (_e690 > _e692));
-                                            let _e702 = select(_e665, _e663, (_e663 < _e665));
-                                            let _e704 = select(_e666, _e664, (_e664 < _e666));
-                                            let _e706 = select(_e678, _e676, (_e676 < _e678));
-                                            let _e708 = select(_e679, _e677, (_e677 < _e679));
-                                            let _e710 = select(_e706, _e702, (_e702 > _e706));
-                                            let _e712 = select(_e708, _e704, (_e704 > _e708));
-                                            let _e714 = select(_e694, _e710, (_e710 > _e694));
-                                            let _e716 = select(_e696, _e712, (_e712 > _e696));
-                                            let _e718 = select(_e665, _e663, (_e663 > _e665));
-                                            let _e720 = select(_e666, _e664, (_e664 > _e666));
-                                            let _e722 = select(_e678, _e676, (_e676 > _e678));
-                                            let _e724 = select(_e679, _e677, (_e677 > _e679));
-                                            let _e726 = select(_e722, _e718, (_e718 < _e722));
-                                            let _e728 = select(_e724, _e720, (_e720 < _e724));
-                                            let _e733 = -(_e694);
-                                            let _e734 = -(_e696);
-                                            let _e741 = (select(_e698, _e726, (_e726 < _e698)) + (select(_e733, _e698, (_e698 > _e733)) * 0.0000019073523f));
-                                            let _e742 = (select(_e700, _e728, (_e728 < _e700)) + (select(_e734, _e700, (_e700 > _e734)) * 0.0000019073523f));
-                                            let _e744 = select(_e557, _e714, (_e714 > _e557));
-                                            let _e746 = select(_e557, _e716, (_e716 > _e557));
-                                            let _e751 = (_e744 <= select(_e567.member, _e741, (_e741 < _e567.member)));
-                                            let _e752 = (_e746 <= select(_e567.member, _e742, (_e742 < _e567.member)));
-                                            let _e753 = (_e744 <= _e746);
-                                            if _e751 {
-                                                if _e752 {
-                                                    if _e753 {
-                                                        phi_2504_ = _e651.member_2;
+                                            let _e1235 = phi_2136_;
+                                            let _e1247 = ((_e1235.member[0].x - _e309) * _e314);
+                                            let _e1248 = ((_e1235.member[0].y - _e309) * _e314);
+                                            let _e1249 = ((_e1235.member[0].z - _e310) * _e314);
+                                            let _e1250 = ((_e1235.member[0].w - _e310) * _e314);
+                                            let _e1260 = ((_e1235.member[1].x - _e375) * _e380);
+                                            let _e1261 = ((_e1235.member[1].y - _e375) * _e380);
+                                            let _e1262 = ((_e1235.member[1].z - _e376) * _e380);
+                                            let _e1263 = ((_e1235.member[1].w - _e376) * _e380);
+                                            let _e1273 = ((_e1235.member[2].x - _e441) * _e446);
+                                            let _e1274 = ((_e1235.member[2].y - _e441) * _e446);
+                                            let _e1275 = ((_e1235.member[2].z - _e442) * _e446);
+                                            let _e1276 = ((_e1235.member[2].w - _e442) * _e446);
+                                            let _e1278 = select(_e1275, _e1273, (_e1273 < _e1275));
+                                            let _e1280 = select(_e1276, _e1274, (_e1274 < _e1276));
+                                            let _e1282 = select(_e1275, _e1273, (_e1273 > _e1275));
+                                            let _e1284 = select(_e1276, _e1274, (_e1274 > _e1276));
+                                            let _e1286 = select(_e1249, _e1247, (_e1247 < _e1249));
+                                            let _e1288 = select(_e1250, _e1248, (_e1248 < _e1250));
+                                            let _e1290 = select(_e1262, _e1260, (_e1260 < _e1262));
+                                            let _e1292 = select(_e1263, _e1261, (_e1261 < _e1263));
+                                            let _e1294 = select(_e1290, _e1286, (_e1286 > _e1290));
+                                            let _e1296 = select(_e1292, _e1288, (_e1288 > _e1292));
+                                            let _e1298 = select(_e1278, _e1294, (_e1294 > _e1278));
+                                            let _e1300 = select(_e1280, _e1296, (_e1296 > _e1280));
+                                            let _e1302 = select(_e1249, _e1247, (_e1247 > _e1249));
+                                            let _e1304 = select(_e1250, _e1248, (_e1248 > _e1250));
+                                            let _e1306 = select(_e1262, _e1260, (_e1260 > _e1262));
+                                            let _e1308 = select(_e1263, _e1261, (_e1261 > _e1263));
+                                            let _e1310 = select(_e1306, _e1302, (_e1302 < _e1306));
+                                            let _e1312 = select(_e1308, _e1304, (_e1304 < _e1308));
+                                            let _e1317 = -(_e1278);
+                                            let _e1318 = -(_e1280);
+                                            let _e1325 = (select(_e1282, _e1310, (_e1310 < _e1282)) + (select(_e1317, _e1282, (_e1282 > _e1317)) * 0.0000019073523f));
+                                            let _e1326 = (select(_e1284, _e1312, (_e1312 < _e1284)) + (select(_e1318, _e1284, (_e1284 > _e1318)) * 0.0000019073523f));
+                                            let _e1328 = select(_e557, _e1298, (_e1298 > _e557));
+                                            let _e1330 = select(_e557, _e1300, (_e1300 > _e557));
+                                            let _e1335 = (_e1328 <= select(_e1185.member, _e1325, (_e1325 < _e1185.member)));
+                                            let _e1336 = (_e1330 <= select(_e1185.member, _e1326, (_e1326 < _e1185.member)));
+                                            let _e1337 = (_e1328 <= _e1330);
+                                            if _e1335 {
+                                                if _e1336 {
+                                                    if _e1337 {
+                                                        phi_2498_ = _e1235.member_2;
                                                     } else {
-                                                        phi_2504_ = _e651.member_1;
+                                                        phi_2498_ = _e1235.member_1;
                                                     }
-                                                    let _e757 = phi_2504_;
-                                                    let _e760 = (_e592 % 128u);
-                                                    let _e761 = (_e760 < 128u);
-                                                    if _e761 {
+                                                    let _e1341 = phi_2498_;
+                                                    let _e1343 = (_e592 % 128u);
+                                                    let _e1344 = (_e1343 < 128u);
+                                                    if _e1344 {
                                                     } else {
-                                                        phi_2800_ = true;
+                                                        phi_2803_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e760] = _e757;
-                                                    if _e761 {
+                                                    local_1[_e1343] = _e1341;
+                                                    if _e1344 {
                                                     } else {
-                                                        phi_2800_ = true;
+                                                        phi_2803_ = true;
                                                         break;
                                                     }
-                                                    local[_e760] = select(_e746, _e744, !(_e753));
-                                                    if _e753 {
-                                                        phi_2532_ = _e651.member_1;
+                                                    local[_e1343] = select(_e1328, _e1330, _e1337);
+                                                    if _e1337 {
+                                                        phi_2525_ = _e1235.member_1;
                                                     } else {
-                                                        phi_2532_ = _e651.member_2;
+                                                        phi_2525_ = _e1235.member_2;
                                                     }
-                                                    let _e768 = phi_2532_;
-                                                    phi_2533_ = (_e592 + 1u);
-                                                    phi_2534_ = _e768;
+                                                    let _e1351 = phi_2525_;
+                                                    phi_2526_ = (_e592 + 1u);
+                                                    phi_2527_ = _e1351;
                                                 } else {
-                                                    phi_2533_ = u32();
-                                                    phi_2534_ = u32();
+                                                    phi_2526_ = u32();
+                                                    phi_2527_ = u32();
                                                 }
-                                                let _e770 = phi_2533_;
-                                                let _e772 = phi_2534_;
-                                                phi_2536_ = _e770;
-                                                phi_2537_ = _e772;
-                                                phi_2538_ = select(true, false, _e752);
+                                                let _e1353 = phi_2526_;
+                                                let _e1355 = phi_2527_;
+                                                phi_2529_ = _e1353;
+                                                phi_2530_ = _e1355;
+                                                phi_2531_ = select(true, false, _e1336);
                                             } else {
-                                                phi_2536_ = u32();
-                                                phi_2537_ = u32();
-                                                phi_2538_ = true;
+                                                phi_2529_ = u32();
+                                                phi_2530_ = u32();
+                                                phi_2531_ = true;
                                             }
-                                            let _e775 = phi_2536_;
-                                            let _e777 = phi_2537_;
-                                            let _e779 = phi_2538_;
-                                            if _e779 {
-                                                if _e751 {
-                                                    phi_2547_ = _e651.member_1;
+                                            let _e1358 = phi_2529_;
+                                            let _e1360 = phi_2530_;
+                                            let _e1362 = phi_2531_;
+                                            if _e1362 {
+                                                if _e1335 {
+                                                    phi_2540_ = _e1235.member_1;
                                                 } else {
-                                                    phi_2547_ = _e651.member_2;
+                                                    phi_2540_ = _e1235.member_2;
                                                 }
-                                                let _e783 = phi_2547_;
-                                                phi_2552_ = select(_e752, true, _e751);
-                                                phi_2554_ = _e783;
+                                                let _e1366 = phi_2540_;
+                                                phi_2545_ = select(_e1336, true, _e1335);
+                                                phi_2547_ = _e1366;
                                             } else {
-                                                phi_2552_ = _e590;
-                                                phi_2554_ = _e777;
+                                                phi_2545_ = _e590;
+                                                phi_2547_ = _e1360;
                                             }
-                                            let _e786 = phi_2552_;
-                                            let _e788 = phi_2554_;
-                                            phi_2804_ = _e565;
-                                            phi_2558_ = _e567;
-                                            phi_2559_ = _e786;
-                                            phi_2560_ = select(_e775, _e592, _e779);
-                                            phi_2561_ = _e788;
+                                            let _e1369 = phi_2545_;
+                                            let _e1371 = phi_2547_;
+                                            phi_2551_ = _e1369;
+                                            phi_2552_ = select(_e1358, _e592, _e1362);
+                                            phi_2553_ = _e1371;
                                         }
-                                        let _e1375 = phi_2804_;
-                                        let _e1377 = phi_2558_;
-                                        let _e1379 = phi_2559_;
-                                        let _e1381 = phi_2560_;
-                                        let _e1383 = phi_2561_;
-                                        phi_2803_ = _e1375;
-                                        phi_2562_ = _e1377;
-                                        phi_2563_ = _e1379;
-                                        phi_2564_ = (_e571 - 1u);
-                                        phi_2565_ = _e1381;
-                                        phi_2566_ = _e1383;
+                                        let _e1374 = phi_2551_;
+                                        let _e1376 = phi_2552_;
+                                        let _e1378 = phi_2553_;
+                                        if _e597 {
+                                            phi_2563_ = select(_e592, 0u, _e1185.member_1);
+                                        } else {
+                                            phi_2563_ = _e1376;
+                                        }
+                                        let _e1382 = phi_2563_;
+                                        phi_2806_ = _e1183;
+                                        phi_2565_ = _e1185;
+                                        phi_2566_ = (_e569 - 1u);
+                                        phi_2567_ = select(_e1374, false, _e597);
+                                        phi_2568_ = _e1382;
+                                        phi_2569_ = select(_e1378, _e594, _e597);
                                     } else {
-                                        phi_2803_ = _e565;
-                                        phi_2562_ = _e567;
-                                        phi_2563_ = _e590;
-                                        phi_2564_ = _e571;
-                                        phi_2565_ = _e592;
-                                        phi_2566_ = _e594;
+                                        phi_2806_ = _e565;
+                                        phi_2565_ = _e567;
+                                        phi_2566_ = _e569;
+                                        phi_2567_ = _e590;
+                                        phi_2568_ = _e592;
+                                        phi_2569_ = _e594;
                                     }
-                                    let _e1385 = phi_2803_;
-                                    let _e1387 = phi_2562_;
-                                    let _e1389 = phi_2563_;
-                                    let _e1391 = phi_2564_;
-                                    let _e1393 = phi_2565_;
-                                    let _e1395 = phi_2566_;
-                                    phi_2802_ = _e1385;
-                                    phi_2567_ = _e1387;
-                                    phi_2568_ = _e1389;
-                                    phi_2569_ = _e1391;
-                                    phi_2570_ = _e1393;
-                                    phi_2571_ = _e1395;
+                                    let _e1386 = phi_2806_;
+                                    let _e1388 = phi_2565_;
+                                    let _e1390 = phi_2566_;
+                                    let _e1392 = phi_2567_;
+                                    let _e1394 = phi_2568_;
+                                    let _e1396 = phi_2569_;
+                                    phi_2805_ = _e1386;
+                                    phi_2570_ = _e1388;
+                                    phi_2571_ = _e1390;
+                                    phi_2572_ = _e1392;
+                                    phi_2573_ = _e1394;
+                                    phi_2574_ = _e1396;
                                 } else {
-                                    phi_2802_ = _e565;
-                                    phi_2567_ = type_48();
-                                    phi_2568_ = bool();
-                                    phi_2569_ = u32();
-                                    phi_2570_ = u32();
+                                    phi_2805_ = _e565;
+                                    phi_2570_ = type_48();
                                     phi_2571_ = u32();
+                                    phi_2572_ = bool();
+                                    phi_2573_ = u32();
+                                    phi_2574_ = u32();
                                 }
-                                let _e1397 = phi_2802_;
-                                let _e1399 = phi_2567_;
-                                let _e1401 = phi_2568_;
-                                let _e1403 = phi_2569_;
-                                let _e1405 = phi_2570_;
-                                let _e1407 = phi_2571_;
-                                phi_2801_ = _e1397;
-                                phi_952_ = _e1399;
-                                phi_955_ = _e1401;
-                                phi_957_ = _e1403;
-                                phi_959_ = _e1405;
-                                phi_961_ = _e1407;
-                                phi_2572_ = _e579;
+                                let _e1398 = phi_2805_;
+                                let _e1400 = phi_2570_;
+                                let _e1402 = phi_2571_;
+                                let _e1404 = phi_2572_;
+                                let _e1406 = phi_2573_;
+                                let _e1408 = phi_2574_;
+                                phi_2804_ = _e1398;
+                                phi_952_ = _e1400;
+                                phi_955_ = _e1402;
+                                phi_957_ = _e1404;
+                                phi_959_ = _e1406;
+                                phi_961_ = _e1408;
+                                phi_2575_ = _e579;
                             } else {
-                                phi_2801_ = _e565;
+                                phi_2804_ = _e565;
                                 phi_952_ = type_48();
-                                phi_955_ = bool();
-                                phi_957_ = u32();
+                                phi_955_ = u32();
+                                phi_957_ = bool();
                                 phi_959_ = u32();
                                 phi_961_ = u32();
-                                phi_2572_ = false;
+                                phi_2575_ = false;
                             }
-                            let _e1409 = phi_2801_;
-                            let _e1411 = phi_952_;
-                            let _e1413 = phi_955_;
-                            let _e1415 = phi_957_;
-                            let _e1417 = phi_959_;
-                            let _e1419 = phi_961_;
-                            let _e1421 = phi_2572_;
+                            let _e1410 = phi_2804_;
+                            let _e1412 = phi_952_;
+                            let _e1414 = phi_955_;
+                            let _e1416 = phi_957_;
+                            let _e1418 = phi_959_;
+                            let _e1420 = phi_961_;
+                            let _e1422 = phi_2575_;
                             continue;
                             continuing {
-                                phi_2645_ = _e1409;
-                                phi_951_ = _e1411;
-                                phi_954_ = _e1413;
-                                phi_956_ = _e1415;
-                                phi_958_ = _e1417;
-                                phi_960_ = _e1419;
-                                phi_2800_ = _e1409;
-                                break if !(_e1421);
+                                phi_2648_ = _e1410;
+                                phi_951_ = _e1412;
+                                phi_954_ = _e1414;
+                                phi_956_ = _e1416;
+                                phi_958_ = _e1418;
+                                phi_960_ = _e1420;
+                                phi_2803_ = _e1410;
+                                break if !(_e1422);
                             }
                         }
-                        let _e1424 = phi_2800_;
-                        if _e1424 {
+                        let _e1425 = phi_2803_;
+                        if _e1425 {
                             break;
                         }
-                        let _e1426 = local_3;
-                        if _e1426.member_1 {
+                        let _e1427 = local_2;
+                        if _e1427.member_1 {
                         } else {
                             if _e92 {
                             } else {
                                 break;
                             }
-                            let _e1430 = global_5.member[_e84];
+                            let _e1431 = global_5.member[_e84];
                             if _e85 {
                             } else {
                                 break;
                             }
-                            let _e1434 = global_4.member[_e84].member_1;
+                            let _e1435 = global_4.member[_e84].member_1;
                             if _e92 {
                             } else {
                                 break;
                             }
-                            global_5.member[_e84] = type_24(_e1430.member, _e1430.member_1, _e1430.member_2, array<f32, 3>((_e1430.member_3[0] + (_e1434[0] * _e1430.member_1[0])), (_e1430.member_3[1] + (_e1434[1] * _e1430.member_1[1])), (_e1430.member_3[2] + (_e1434[2] * _e1430.member_1[2]))), _e1430.member_4);
+                            global_5.member[_e84] = type_24(_e1431.member, _e1431.member_1, _e1431.member_2, array<f32, 3>((_e1431.member_3[0] + (_e1435[0] * _e1431.member_1[0])), (_e1431.member_3[1] + (_e1435[1] * _e1431.member_1[1])), (_e1431.member_3[2] + (_e1435[2] * _e1431.member_1[2]))), _e1431.member_4);
                         }
                     }
                 }

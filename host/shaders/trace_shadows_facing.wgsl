@@ -158,27 +158,16 @@ fn function_() {
     var phi_1150_: u32;
     var phi_1158_: f32;
     var phi_1159_: f32;
-    var phi_3197_: bool;
+    var phi_3200_: bool;
     var phi_1174_: type_55;
-    var phi_1177_: bool;
-    var phi_1179_: u32;
+    var phi_1177_: u32;
+    var phi_1179_: bool;
     var phi_1181_: u32;
     var phi_1183_: u32;
     var phi_1194_: bool;
     var phi_1226_: bool;
     var phi_1227_: u32;
     var phi_1228_: u32;
-    var phi_2694_: type_54;
-    var phi_3056_: u32;
-    var phi_3084_: u32;
-    var phi_3085_: u32;
-    var phi_3086_: u32;
-    var phi_3088_: u32;
-    var phi_3089_: u32;
-    var phi_3090_: bool;
-    var phi_3099_: u32;
-    var phi_3104_: bool;
-    var phi_3106_: u32;
     var phi_1243_: type_55;
     var phi_1246_: type_8;
     var phi_1247_: type_8;
@@ -235,35 +224,46 @@ fn function_() {
     var phi_2621_: type_55;
     var phi_2622_: type_55;
     var phi_1244_: type_55;
-    var phi_3191_: bool;
-    var local_2: type_55;
-    var phi_3387_: bool;
-    var phi_3110_: type_55;
-    var phi_3111_: bool;
-    var phi_3112_: u32;
-    var phi_3113_: u32;
-    var phi_3386_: bool;
-    var phi_3114_: type_55;
-    var phi_3115_: bool;
-    var phi_3116_: u32;
-    var phi_3117_: u32;
+    var phi_3194_: bool;
+    var phi_3421_: bool;
+    var phi_2623_: type_55;
+    var phi_2688_: type_54;
+    var phi_3050_: u32;
+    var phi_3077_: u32;
+    var phi_3078_: u32;
+    var phi_3079_: u32;
+    var phi_3081_: u32;
+    var phi_3082_: u32;
+    var phi_3083_: bool;
+    var phi_3092_: u32;
+    var phi_3097_: bool;
+    var phi_3099_: u32;
+    var phi_3103_: bool;
+    var phi_3104_: u32;
+    var phi_3105_: u32;
+    var phi_3115_: u32;
+    var phi_3389_: bool;
+    var phi_3117_: type_55;
     var phi_3118_: u32;
-    var phi_3385_: bool;
-    var phi_3119_: type_55;
-    var phi_3120_: bool;
+    var phi_3119_: bool;
+    var phi_3120_: u32;
     var phi_3121_: u32;
-    var phi_3122_: u32;
+    var phi_3388_: bool;
+    var phi_3122_: type_55;
     var phi_3123_: u32;
-    var phi_3384_: bool;
+    var phi_3124_: bool;
+    var phi_3125_: u32;
+    var phi_3126_: u32;
+    var phi_3387_: bool;
     var phi_1175_: type_55;
-    var phi_1178_: bool;
-    var phi_1180_: u32;
+    var phi_1178_: u32;
+    var phi_1180_: bool;
     var phi_1182_: u32;
     var phi_1184_: u32;
-    var phi_3124_: bool;
-    var phi_3383_: bool;
+    var phi_3127_: bool;
+    var phi_3386_: bool;
+    var local_2: type_55;
     var local_3: type_55;
-    var local_4: type_55;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -633,31 +633,31 @@ fn function_() {
                         let _e705 = phi_1159_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_3197_ = false;
+                        phi_3200_ = false;
                         phi_1174_ = type_55(_e703, false);
-                        phi_1177_ = (_e705 <= _e703);
-                        phi_1179_ = ((3u * _e82) + 1u);
+                        phi_1177_ = ((3u * _e82) + 1u);
+                        phi_1179_ = (_e705 <= _e703);
                         phi_1181_ = 0u;
                         phi_1183_ = select(0u, 2147483648u, (_e82 == 0u));
                         loop {
-                            let _e713 = phi_3197_;
+                            let _e713 = phi_3200_;
                             let _e715 = phi_1174_;
                             let _e717 = phi_1177_;
                             let _e719 = phi_1179_;
                             let _e721 = phi_1181_;
                             let _e723 = phi_1183_;
-                            local_3 = _e715;
-                            if _e717 {
+                            local_2 = _e715;
+                            if _e719 {
                                 phi_1194_ = true;
                             } else {
                                 phi_1194_ = (_e721 > 0u);
                             }
                             let _e726 = phi_1194_;
                             if _e726 {
-                                let _e727 = (_e719 > 0u);
+                                let _e727 = (_e717 > 0u);
                                 if _e727 {
-                                    if _e717 {
-                                        phi_1226_ = _e717;
+                                    if _e719 {
+                                        phi_1226_ = _e719;
                                         phi_1227_ = _e721;
                                         phi_1228_ = _e723;
                                     } else {
@@ -666,13 +666,13 @@ fn function_() {
                                         let _e730 = (_e729 < 128u);
                                         if _e730 {
                                         } else {
-                                            phi_3383_ = true;
+                                            phi_3386_ = true;
                                             break;
                                         }
                                         let _e732 = local_1[_e729];
                                         if _e730 {
                                         } else {
-                                            phi_3383_ = true;
+                                            phi_3386_ = true;
                                             break;
                                         }
                                         let _e734 = local[_e729];
@@ -684,793 +684,801 @@ fn function_() {
                                     let _e740 = phi_1227_;
                                     let _e742 = phi_1228_;
                                     if _e738 {
-                                        if ((_e742 & 2147483648u) != 0u) {
+                                        let _e745 = ((_e742 & 2147483648u) != 0u);
+                                        if _e745 {
                                             phi_1243_ = _e715;
                                             phi_1246_ = type_8(0u, ((_e742 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e940 = phi_1243_;
-                                                let _e942 = phi_1246_;
-                                                local_2 = _e940;
-                                                local_4 = _e940;
-                                                if (_e942.member < _e942.member_1) {
-                                                    phi_1247_ = type_8((_e942.member + 1u), _e942.member_1);
-                                                    phi_1269_ = type_8(1u, _e942.member);
+                                                let _e752 = phi_1243_;
+                                                let _e754 = phi_1246_;
+                                                local_3 = _e752;
+                                                if (_e754.member < _e754.member_1) {
+                                                    phi_1247_ = type_8((_e754.member + 1u), _e754.member_1);
+                                                    phi_1269_ = type_8(1u, _e754.member);
                                                 } else {
-                                                    phi_1247_ = _e942;
+                                                    phi_1247_ = _e754;
                                                     phi_1269_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e955 = phi_1247_;
-                                                let _e957 = phi_1269_;
-                                                let _e961 = (bitcast<i32>(_e957.member) != 0i);
-                                                if _e961 {
-                                                    let _e962 = ((_e742 & 268435455u) + _e957.member_1);
-                                                    let _e963 = (_e962 < _e84);
-                                                    if _e963 {
-                                                        if _e963 {
+                                                let _e767 = phi_1247_;
+                                                let _e769 = phi_1269_;
+                                                let _e773 = (bitcast<i32>(_e769.member) != 0i);
+                                                if _e773 {
+                                                    let _e774 = ((_e742 & 268435455u) + _e769.member_1);
+                                                    let _e775 = (_e774 < _e84);
+                                                    if _e775 {
+                                                        if _e775 {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e967 = global_2.member[_e962].member_1;
-                                                        phi_1290_ = _e967;
+                                                        let _e779 = global_2.member[_e774].member_1;
+                                                        phi_1290_ = _e779;
                                                     } else {
                                                         phi_1290_ = 4294967295u;
                                                     }
-                                                    let _e969 = phi_1290_;
-                                                    if (_e962 >= _e84) {
+                                                    let _e781 = phi_1290_;
+                                                    if (_e774 >= _e84) {
                                                         phi_1382_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e963 {
+                                                        if _e775 {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e971 = (_e372 % 3u);
-                                                        let _e972 = (_e371 % 3u);
-                                                        let _e973 = (_e373 % 3u);
-                                                        if (_e971 < 9u) {
+                                                        let _e783 = (_e372 % 3u);
+                                                        let _e784 = (_e371 % 3u);
+                                                        let _e785 = (_e373 % 3u);
+                                                        if (_e783 < 9u) {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e979 = global_2.member[_e962].member[_e971];
-                                                        if (_e972 < 9u) {
+                                                        let _e791 = global_2.member[_e774].member[_e783];
+                                                        if (_e784 < 9u) {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e985 = global_2.member[_e962].member[_e972];
-                                                        if (_e973 < 9u) {
+                                                        let _e797 = global_2.member[_e774].member[_e784];
+                                                        if (_e785 < 9u) {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e991 = global_2.member[_e962].member[_e973];
-                                                        let _e993 = (3u + _e971);
-                                                        if (_e993 < 9u) {
+                                                        let _e803 = global_2.member[_e774].member[_e785];
+                                                        let _e805 = (3u + _e783);
+                                                        if (_e805 < 9u) {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e999 = global_2.member[_e962].member[_e993];
-                                                        let _e1000 = (3u + _e972);
-                                                        if (_e1000 < 9u) {
+                                                        let _e811 = global_2.member[_e774].member[_e805];
+                                                        let _e812 = (3u + _e784);
+                                                        if (_e812 < 9u) {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e1006 = global_2.member[_e962].member[_e1000];
-                                                        let _e1007 = (3u + _e973);
-                                                        if (_e1007 < 9u) {
+                                                        let _e818 = global_2.member[_e774].member[_e812];
+                                                        let _e819 = (3u + _e785);
+                                                        if (_e819 < 9u) {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e1013 = global_2.member[_e962].member[_e1007];
-                                                        let _e1015 = (6u + _e971);
-                                                        if (_e1015 < 9u) {
+                                                        let _e825 = global_2.member[_e774].member[_e819];
+                                                        let _e827 = (6u + _e783);
+                                                        if (_e827 < 9u) {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e1021 = global_2.member[_e962].member[_e1015];
-                                                        let _e1022 = (6u + _e972);
-                                                        if (_e1022 < 9u) {
+                                                        let _e833 = global_2.member[_e774].member[_e827];
+                                                        let _e834 = (6u + _e784);
+                                                        if (_e834 < 9u) {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e1028 = global_2.member[_e962].member[_e1022];
-                                                        let _e1029 = (6u + _e973);
-                                                        if (_e1029 < 9u) {
+                                                        let _e840 = global_2.member[_e774].member[_e834];
+                                                        let _e841 = (6u + _e785);
+                                                        if (_e841 < 9u) {
                                                         } else {
-                                                            phi_3191_ = true;
+                                                            phi_3194_ = true;
                                                             break;
                                                         }
-                                                        let _e1035 = global_2.member[_e962].member[_e1029];
-                                                        phi_1382_ = array<array<f32, 3>, 3>(array<f32, 3>(_e979, _e985, _e991), array<f32, 3>(_e999, _e1006, _e1013), array<f32, 3>(_e1021, _e1028, _e1035));
+                                                        let _e847 = global_2.member[_e774].member[_e841];
+                                                        phi_1382_ = array<array<f32, 3>, 3>(array<f32, 3>(_e791, _e797, _e803), array<f32, 3>(_e811, _e818, _e825), array<f32, 3>(_e833, _e840, _e847));
                                                     }
-                                                    let _e1039 = phi_1382_;
-                                                    let _e1047 = (_e1039[0][2] - _e552);
-                                                    let _e1050 = (((_e1039[0][0] - _e419) * _e591) - (_e1047 * _e459));
-                                                    let _e1053 = (((_e1039[0][1] - _e486) * _e591) - (_e1047 * _e525));
-                                                    let _e1060 = (_e1039[1][2] - _e552);
-                                                    let _e1063 = (((_e1039[1][0] - _e419) * _e591) - (_e1060 * _e459));
-                                                    let _e1066 = (((_e1039[1][1] - _e486) * _e591) - (_e1060 * _e525));
-                                                    let _e1073 = (_e1039[2][2] - _e552);
-                                                    let _e1076 = (((_e1039[2][0] - _e419) * _e591) - (_e1073 * _e459));
-                                                    let _e1079 = (((_e1039[2][1] - _e486) * _e591) - (_e1073 * _e525));
-                                                    let _e1080 = (_e1076 * _e1066);
-                                                    let _e1081 = (_e1079 * _e1063);
-                                                    let _e1082 = (_e1050 * _e1079);
-                                                    let _e1083 = (_e1053 * _e1076);
-                                                    let _e1084 = (_e1063 * _e1053);
-                                                    let _e1085 = (_e1066 * _e1050);
-                                                    let _e1090 = (((_e1080 >= _e1081) && (_e1082 >= _e1083)) && (_e1084 >= _e1085));
-                                                    if (_e1090 || (((_e1080 <= _e1081) && (_e1082 <= _e1083)) && (_e1084 <= _e1085))) {
-                                                        let _e1097 = select(-1f, 1f, _e1090);
-                                                        let _e1099 = ((_e1080 - _e1081) * _e1097);
-                                                        let _e1101 = select(0f, _e1099, (_e1099 > 0f));
-                                                        let _e1103 = ((_e1082 - _e1083) * _e1097);
-                                                        let _e1105 = select(0f, _e1103, (_e1103 > 0f));
-                                                        let _e1107 = ((_e1084 - _e1085) * _e1097);
-                                                        let _e1109 = select(0f, _e1107, (_e1107 > 0f));
-                                                        let _e1111 = ((_e1101 + _e1105) + _e1109);
-                                                        if (_e1111 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e851 = phi_1382_;
+                                                    let _e859 = (_e851[0][2] - _e552);
+                                                    let _e862 = (((_e851[0][0] - _e419) * _e591) - (_e859 * _e459));
+                                                    let _e865 = (((_e851[0][1] - _e486) * _e591) - (_e859 * _e525));
+                                                    let _e872 = (_e851[1][2] - _e552);
+                                                    let _e875 = (((_e851[1][0] - _e419) * _e591) - (_e872 * _e459));
+                                                    let _e878 = (((_e851[1][1] - _e486) * _e591) - (_e872 * _e525));
+                                                    let _e885 = (_e851[2][2] - _e552);
+                                                    let _e888 = (((_e851[2][0] - _e419) * _e591) - (_e885 * _e459));
+                                                    let _e891 = (((_e851[2][1] - _e486) * _e591) - (_e885 * _e525));
+                                                    let _e892 = (_e888 * _e878);
+                                                    let _e893 = (_e891 * _e875);
+                                                    let _e894 = (_e862 * _e891);
+                                                    let _e895 = (_e865 * _e888);
+                                                    let _e896 = (_e875 * _e865);
+                                                    let _e897 = (_e878 * _e862);
+                                                    let _e902 = (((_e892 >= _e893) && (_e894 >= _e895)) && (_e896 >= _e897));
+                                                    if (_e902 || (((_e892 <= _e893) && (_e894 <= _e895)) && (_e896 <= _e897))) {
+                                                        let _e909 = select(-1f, 1f, _e902);
+                                                        let _e911 = ((_e892 - _e893) * _e909);
+                                                        let _e913 = select(0f, _e911, (_e911 > 0f));
+                                                        let _e915 = ((_e894 - _e895) * _e909);
+                                                        let _e917 = select(0f, _e915, (_e915 > 0f));
+                                                        let _e919 = ((_e896 - _e897) * _e909);
+                                                        let _e921 = select(0f, _e919, (_e919 > 0f));
+                                                        let _e923 = ((_e913 + _e917) + _e921);
+                                                        if (_e923 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2266_ = type_28();
                                                             phi_2267_ = true;
                                                             phi_2268_ = false;
                                                         } else {
-                                                            let _e1114 = select(_e1063, _e1050, (_e1050 < _e1063));
-                                                            if (select(_e1076, _e1114, (_e1114 < _e1076)) > 0f) {
+                                                            let _e926 = select(_e875, _e862, (_e862 < _e875));
+                                                            if (select(_e888, _e926, (_e926 < _e888)) > 0f) {
                                                                 phi_1534_ = true;
                                                             } else {
-                                                                let _e1119 = select(_e1063, _e1050, (_e1050 > _e1063));
-                                                                phi_1534_ = (select(_e1076, _e1119, (_e1119 > _e1076)) < 0f);
+                                                                let _e931 = select(_e875, _e862, (_e862 > _e875));
+                                                                phi_1534_ = (select(_e888, _e931, (_e931 > _e888)) < 0f);
                                                             }
-                                                            let _e1124 = phi_1534_;
-                                                            if _e1124 {
+                                                            let _e936 = phi_1534_;
+                                                            if _e936 {
                                                                 phi_2263_ = type_28();
                                                                 phi_2264_ = true;
                                                                 phi_2265_ = false;
                                                             } else {
-                                                                let _e1126 = select(_e1066, _e1053, (_e1053 < _e1066));
-                                                                if (select(_e1079, _e1126, (_e1126 < _e1079)) > 0f) {
+                                                                let _e938 = select(_e878, _e865, (_e865 < _e878));
+                                                                if (select(_e891, _e938, (_e938 < _e891)) > 0f) {
                                                                     phi_1563_ = true;
                                                                 } else {
-                                                                    let _e1131 = select(_e1066, _e1053, (_e1053 > _e1066));
-                                                                    phi_1563_ = (select(_e1079, _e1131, (_e1131 > _e1079)) < 0f);
+                                                                    let _e943 = select(_e878, _e865, (_e865 > _e878));
+                                                                    phi_1563_ = (select(_e891, _e943, (_e943 > _e891)) < 0f);
                                                                 }
-                                                                let _e1136 = phi_1563_;
-                                                                if _e1136 {
+                                                                let _e948 = phi_1563_;
+                                                                if _e948 {
                                                                     phi_2261_ = type_28();
                                                                     phi_2262_ = false;
                                                                 } else {
-                                                                    let _e1138 = select(_e1039[1][0], _e1039[0][0], (_e1039[0][0] < _e1039[1][0]));
-                                                                    let _e1142 = select(_e1039[1][0], _e1039[0][0], (_e1039[0][0] > _e1039[1][0]));
-                                                                    let _e1146 = select(_e1039[1][1], _e1039[0][1], (_e1039[0][1] < _e1039[1][1]));
-                                                                    let _e1150 = select(_e1039[1][1], _e1039[0][1], (_e1039[0][1] > _e1039[1][1]));
-                                                                    let _e1154 = select(_e1039[1][2], _e1039[0][2], (_e1039[0][2] < _e1039[1][2]));
-                                                                    let _e1158 = select(_e1039[1][2], _e1039[0][2], (_e1039[0][2] > _e1039[1][2]));
-                                                                    let _e1163 = ((select(_e1039[2][0], _e1138, (_e1138 < _e1039[2][0])) - _e457) * _e462);
-                                                                    let _e1164 = ((select(_e1039[2][0], _e1142, (_e1142 > _e1039[2][0])) - _e458) * _e462);
-                                                                    let _e1167 = ((select(_e1039[2][1], _e1146, (_e1146 < _e1039[2][1])) - _e523) * _e528);
-                                                                    let _e1168 = ((select(_e1039[2][1], _e1150, (_e1150 > _e1039[2][1])) - _e524) * _e528);
-                                                                    let _e1171 = ((select(_e1039[2][2], _e1154, (_e1154 < _e1039[2][2])) - _e589) * _e594);
-                                                                    let _e1172 = ((select(_e1039[2][2], _e1158, (_e1158 > _e1039[2][2])) - _e590) * _e594);
-                                                                    let _e1174 = select(_e1172, _e1171, (_e1171 < _e1172));
-                                                                    let _e1176 = select(_e1172, _e1171, (_e1171 > _e1172));
-                                                                    let _e1178 = select(_e1164, _e1163, (_e1163 < _e1164));
-                                                                    let _e1180 = select(_e1168, _e1167, (_e1167 < _e1168));
-                                                                    let _e1182 = select(_e1180, _e1178, (_e1178 > _e1180));
-                                                                    let _e1184 = select(_e1174, _e1182, (_e1182 > _e1174));
-                                                                    let _e1186 = select(_e1164, _e1163, (_e1163 > _e1164));
-                                                                    let _e1188 = select(_e1168, _e1167, (_e1167 > _e1168));
-                                                                    let _e1190 = select(_e1188, _e1186, (_e1186 < _e1188));
-                                                                    let _e1192 = select(_e1176, _e1190, (_e1190 < _e1176));
-                                                                    let _e1193 = -(_e1174);
-                                                                    let _e1199 = select(_e705, _e1184, (_e1184 > _e705));
-                                                                    if (_e1199 > (_e1192 + (select(_e1193, _e1176, (_e1176 > _e1193)) * 0.0000019073523f))) {
+                                                                    let _e950 = select(_e851[1][0], _e851[0][0], (_e851[0][0] < _e851[1][0]));
+                                                                    let _e954 = select(_e851[1][0], _e851[0][0], (_e851[0][0] > _e851[1][0]));
+                                                                    let _e958 = select(_e851[1][1], _e851[0][1], (_e851[0][1] < _e851[1][1]));
+                                                                    let _e962 = select(_e851[1][1], _e851[0][1], (_e851[0][1] > _e851[1][1]));
+                                                                    let _e966 = select(_e851[1][2], _e851[0][2], (_e851[0][2] < _e851[1][2]));
+                                                                    let _e970 = select(_e851[1][2], _e851[0][2], (_e851[0][2] > _e851[1][2]));
+                                                                    let _e975 = ((select(_e851[2][0], _e950, (_e950 < _e851[2][0])) - _e457) * _e462);
+                                                                    let _e976 = ((select(_e851[2][0], _e954, (_e954 > _e851[2][0])) - _e458) * _e462);
+                                                                    let _e979 = ((select(_e851[2][1], _e958, (_e958 < _e851[2][1])) - _e523) * _e528);
+                                                                    let _e980 = ((select(_e851[2][1], _e962, (_e962 > _e851[2][1])) - _e524) * _e528);
+                                                                    let _e983 = ((select(_e851[2][2], _e966, (_e966 < _e851[2][2])) - _e589) * _e594);
+                                                                    let _e984 = ((select(_e851[2][2], _e970, (_e970 > _e851[2][2])) - _e590) * _e594);
+                                                                    let _e986 = select(_e984, _e983, (_e983 < _e984));
+                                                                    let _e988 = select(_e984, _e983, (_e983 > _e984));
+                                                                    let _e990 = select(_e976, _e975, (_e975 < _e976));
+                                                                    let _e992 = select(_e980, _e979, (_e979 < _e980));
+                                                                    let _e994 = select(_e992, _e990, (_e990 > _e992));
+                                                                    let _e996 = select(_e986, _e994, (_e994 > _e986));
+                                                                    let _e998 = select(_e976, _e975, (_e975 > _e976));
+                                                                    let _e1000 = select(_e980, _e979, (_e979 > _e980));
+                                                                    let _e1002 = select(_e1000, _e998, (_e998 < _e1000));
+                                                                    let _e1004 = select(_e988, _e1002, (_e1002 < _e988));
+                                                                    let _e1005 = -(_e986);
+                                                                    let _e1011 = select(_e705, _e996, (_e996 > _e705));
+                                                                    if (_e1011 > (_e1004 + (select(_e1005, _e988, (_e988 > _e1005)) * 0.0000019073523f))) {
                                                                         phi_2256_ = type_28();
                                                                         phi_2257_ = true;
                                                                     } else {
-                                                                        let _e1201 = (_e1199 > _e940.member);
-                                                                        if _e1201 {
+                                                                        let _e1013 = (_e1011 > _e752.member);
+                                                                        if _e1013 {
                                                                             phi_2255_ = type_28();
                                                                         } else {
-                                                                            let _e1202 = vec3<f32>(_e1039[0][0], _e1039[0][1], _e1039[0][2]);
-                                                                            let _e1203 = vec3<f32>(_e1039[1][0], _e1039[1][1], _e1039[1][2]);
-                                                                            let _e1204 = vec3<f32>(_e1039[2][0], _e1039[2][1], _e1039[2][2]);
-                                                                            let _e1205 = (_e1039[1][0] - _e1039[0][0]);
-                                                                            let _e1206 = (_e1039[1][1] - _e1039[0][1]);
-                                                                            let _e1207 = (_e1039[1][2] - _e1039[0][2]);
-                                                                            let _e1208 = vec3<f32>(_e1205, _e1206, _e1207);
-                                                                            let _e1209 = (_e1039[2][0] - _e1039[1][0]);
-                                                                            let _e1210 = (_e1039[2][1] - _e1039[1][1]);
-                                                                            let _e1211 = (_e1039[2][2] - _e1039[1][2]);
-                                                                            let _e1212 = vec3<f32>(_e1209, _e1210, _e1211);
-                                                                            let _e1213 = (_e1039[0][0] - _e1039[2][0]);
-                                                                            let _e1214 = (_e1039[0][1] - _e1039[2][1]);
-                                                                            let _e1215 = (_e1039[0][2] - _e1039[2][2]);
-                                                                            let _e1216 = vec3<f32>(_e1213, _e1214, _e1215);
-                                                                            let _e1219 = bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u));
-                                                                            let _e1222 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
-                                                                            let _e1224 = select(_e1222, _e1219, (_e1219 > _e1222));
-                                                                            let _e1227 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
-                                                                            let _e1229 = select(_e1227, _e1224, (_e1224 > _e1227));
-                                                                            let _e1232 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
-                                                                            let _e1235 = bitcast<f32>((bitcast<u32>(_e1210) & 2147483647u));
-                                                                            let _e1237 = select(_e1235, _e1232, (_e1232 > _e1235));
-                                                                            let _e1240 = bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u));
-                                                                            let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
-                                                                            let _e1245 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
-                                                                            let _e1248 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
-                                                                            let _e1250 = select(_e1248, _e1245, (_e1245 > _e1248));
-                                                                            let _e1253 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
-                                                                            let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
-                                                                            let _e1257 = select(_e1242, _e1229, (_e1229 > _e1242));
-                                                                            let _e1259 = select(_e1255, _e1257, (_e1257 > _e1255));
-                                                                            if (_e1229 == _e1259) {
-                                                                                phi_1982_ = _e1066;
-                                                                                phi_1983_ = _e1063;
-                                                                                phi_1984_ = _e1053;
-                                                                                phi_1985_ = _e1050;
-                                                                                phi_1986_ = _e1202;
-                                                                                phi_1987_ = _e1216;
-                                                                                phi_1988_ = _e1212;
-                                                                                phi_1989_ = _e1208;
+                                                                            let _e1014 = vec3<f32>(_e851[0][0], _e851[0][1], _e851[0][2]);
+                                                                            let _e1015 = vec3<f32>(_e851[1][0], _e851[1][1], _e851[1][2]);
+                                                                            let _e1016 = vec3<f32>(_e851[2][0], _e851[2][1], _e851[2][2]);
+                                                                            let _e1017 = (_e851[1][0] - _e851[0][0]);
+                                                                            let _e1018 = (_e851[1][1] - _e851[0][1]);
+                                                                            let _e1019 = (_e851[1][2] - _e851[0][2]);
+                                                                            let _e1020 = vec3<f32>(_e1017, _e1018, _e1019);
+                                                                            let _e1021 = (_e851[2][0] - _e851[1][0]);
+                                                                            let _e1022 = (_e851[2][1] - _e851[1][1]);
+                                                                            let _e1023 = (_e851[2][2] - _e851[1][2]);
+                                                                            let _e1024 = vec3<f32>(_e1021, _e1022, _e1023);
+                                                                            let _e1025 = (_e851[0][0] - _e851[2][0]);
+                                                                            let _e1026 = (_e851[0][1] - _e851[2][1]);
+                                                                            let _e1027 = (_e851[0][2] - _e851[2][2]);
+                                                                            let _e1028 = vec3<f32>(_e1025, _e1026, _e1027);
+                                                                            let _e1031 = bitcast<f32>((bitcast<u32>(_e1017) & 2147483647u));
+                                                                            let _e1034 = bitcast<f32>((bitcast<u32>(_e1018) & 2147483647u));
+                                                                            let _e1036 = select(_e1034, _e1031, (_e1031 > _e1034));
+                                                                            let _e1039 = bitcast<f32>((bitcast<u32>(_e1019) & 2147483647u));
+                                                                            let _e1041 = select(_e1039, _e1036, (_e1036 > _e1039));
+                                                                            let _e1044 = bitcast<f32>((bitcast<u32>(_e1021) & 2147483647u));
+                                                                            let _e1047 = bitcast<f32>((bitcast<u32>(_e1022) & 2147483647u));
+                                                                            let _e1049 = select(_e1047, _e1044, (_e1044 > _e1047));
+                                                                            let _e1052 = bitcast<f32>((bitcast<u32>(_e1023) & 2147483647u));
+                                                                            let _e1054 = select(_e1052, _e1049, (_e1049 > _e1052));
+                                                                            let _e1057 = bitcast<f32>((bitcast<u32>(_e1025) & 2147483647u));
+                                                                            let _e1060 = bitcast<f32>((bitcast<u32>(_e1026) & 2147483647u));
+                                                                            let _e1062 = select(_e1060, _e1057, (_e1057 > _e1060));
+                                                                            let _e1065 = bitcast<f32>((bitcast<u32>(_e1027) & 2147483647u));
+                                                                            let _e1067 = select(_e1065, _e1062, (_e1062 > _e1065));
+                                                                            let _e1069 = select(_e1054, _e1041, (_e1041 > _e1054));
+                                                                            let _e1071 = select(_e1067, _e1069, (_e1069 > _e1067));
+                                                                            if (_e1041 == _e1071) {
+                                                                                phi_1982_ = _e878;
+                                                                                phi_1983_ = _e875;
+                                                                                phi_1984_ = _e865;
+                                                                                phi_1985_ = _e862;
+                                                                                phi_1986_ = _e1014;
+                                                                                phi_1987_ = _e1028;
+                                                                                phi_1988_ = _e1024;
+                                                                                phi_1989_ = _e1020;
                                                                             } else {
-                                                                                let _e1261 = (_e1242 == _e1259);
-                                                                                let _e1266 = vec3(_e1261);
-                                                                                phi_1982_ = select(_e1053, _e1079, _e1261);
-                                                                                phi_1983_ = select(_e1050, _e1076, _e1261);
-                                                                                phi_1984_ = select(_e1079, _e1066, _e1261);
-                                                                                phi_1985_ = select(_e1076, _e1063, _e1261);
-                                                                                phi_1986_ = select(_e1204, _e1203, _e1266);
-                                                                                phi_1987_ = select(_e1212, _e1208, _e1266);
-                                                                                phi_1988_ = select(_e1208, _e1216, _e1266);
-                                                                                phi_1989_ = select(_e1216, _e1212, _e1266);
+                                                                                let _e1073 = (_e1054 == _e1071);
+                                                                                let _e1078 = vec3(_e1073);
+                                                                                phi_1982_ = select(_e865, _e891, _e1073);
+                                                                                phi_1983_ = select(_e862, _e888, _e1073);
+                                                                                phi_1984_ = select(_e891, _e878, _e1073);
+                                                                                phi_1985_ = select(_e888, _e875, _e1073);
+                                                                                phi_1986_ = select(_e1016, _e1015, _e1078);
+                                                                                phi_1987_ = select(_e1024, _e1020, _e1078);
+                                                                                phi_1988_ = select(_e1020, _e1028, _e1078);
+                                                                                phi_1989_ = select(_e1028, _e1024, _e1078);
                                                                             }
-                                                                            let _e1272 = phi_1982_;
-                                                                            let _e1274 = phi_1983_;
-                                                                            let _e1276 = phi_1984_;
-                                                                            let _e1278 = phi_1985_;
-                                                                            let _e1280 = phi_1986_;
-                                                                            let _e1282 = phi_1987_;
-                                                                            let _e1284 = phi_1988_;
-                                                                            let _e1286 = phi_1989_;
-                                                                            let _e1293 = ((_e1284.y * _e1282.z) - (_e1282.y * _e1284.z));
-                                                                            let _e1298 = ((_e1284.z * _e1282.x) - (_e1282.z * _e1284.x));
-                                                                            let _e1301 = ((_e1284.x * _e1282.y) - (_e1282.x * _e1284.y));
-                                                                            if (_e1101 >= _e1105) {
-                                                                                phi_2026_ = select(true, false, (_e1101 >= _e1109));
+                                                                            let _e1084 = phi_1982_;
+                                                                            let _e1086 = phi_1983_;
+                                                                            let _e1088 = phi_1984_;
+                                                                            let _e1090 = phi_1985_;
+                                                                            let _e1092 = phi_1986_;
+                                                                            let _e1094 = phi_1987_;
+                                                                            let _e1096 = phi_1988_;
+                                                                            let _e1098 = phi_1989_;
+                                                                            let _e1105 = ((_e1096.y * _e1094.z) - (_e1094.y * _e1096.z));
+                                                                            let _e1110 = ((_e1096.z * _e1094.x) - (_e1094.z * _e1096.x));
+                                                                            let _e1113 = ((_e1096.x * _e1094.y) - (_e1094.x * _e1096.y));
+                                                                            if (_e913 >= _e917) {
+                                                                                phi_2026_ = select(true, false, (_e913 >= _e921));
                                                                             } else {
                                                                                 phi_2026_ = true;
                                                                             }
-                                                                            let _e1306 = phi_2026_;
-                                                                            if _e1306 {
-                                                                                phi_2035_ = select(_e1204, _e1203, vec3((_e1105 >= _e1109)));
+                                                                            let _e1118 = phi_2026_;
+                                                                            if _e1118 {
+                                                                                phi_2035_ = select(_e1016, _e1015, vec3((_e917 >= _e921)));
                                                                             } else {
-                                                                                phi_2035_ = _e1202;
+                                                                                phi_2035_ = _e1014;
                                                                             }
-                                                                            let _e1311 = phi_2035_;
-                                                                            let _e1322 = (((_e1293 * (_e1311.x - _e419)) + (_e1298 * (_e1311.y - _e486))) + (_e1301 * (_e1311.z - _e552)));
-                                                                            let _e1327 = (((_e1293 * _e459) + (_e1298 * _e525)) + (_e1301 * _e591));
-                                                                            let _e1328 = (_e1274 - _e1278);
-                                                                            let _e1329 = (_e1272 - _e1276);
-                                                                            let _e1337 = (-(((_e1278 * _e1328) + (_e1276 * _e1329))) / ((_e1328 * _e1328) + (_e1329 * _e1329)));
-                                                                            let _e1339 = select(1f, _e1337, (_e1337 < 1f));
-                                                                            let _e1341 = select(0f, _e1339, (_e1339 > 0f));
-                                                                            let _e1354 = ((_e1280.x + (_e1286.x * _e1341)) - _e419);
-                                                                            let _e1355 = ((_e1280.y + (_e1286.y * _e1341)) - _e486);
-                                                                            let _e1356 = ((_e1280.z + (_e1286.z * _e1341)) - _e552);
-                                                                            let _e1357 = (_e1356 / _e591);
-                                                                            let _e1369 = bitcast<f32>((bitcast<u32>(_e1354) & 2147483647u));
-                                                                            let _e1372 = bitcast<f32>((bitcast<u32>(_e1355) & 2147483647u));
-                                                                            let _e1374 = select(_e1372, _e1369, (_e1369 > _e1372));
-                                                                            let _e1377 = bitcast<f32>((bitcast<u32>(_e1356) & 2147483647u));
-                                                                            let _e1379 = select(_e1377, _e1374, (_e1374 > _e1377));
-                                                                            let _e1385 = bitcast<f32>((bitcast<u32>(_e1293) & 2147483647u));
-                                                                            let _e1388 = bitcast<f32>((bitcast<u32>(_e1298) & 2147483647u));
-                                                                            let _e1390 = select(_e1388, _e1385, (_e1385 > _e1388));
-                                                                            let _e1393 = bitcast<f32>((bitcast<u32>(_e1301) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1293 * _e1354) + (_e1298 * _e1355)) + (_e1301 * _e1356)) - _e1322)) & 2147483647u)) <= ((0.0000009536743f * select(_e1259, _e1379, (_e1379 > _e1259))) * select(_e1393, _e1390, (_e1390 > _e1393)))) {
-                                                                                let _e1403 = bitcast<f32>((bitcast<u32>(_e1284.x) & 2147483647u));
-                                                                                let _e1406 = bitcast<f32>((bitcast<u32>(_e1284.y) & 2147483647u));
-                                                                                let _e1408 = select(_e1406, _e1403, (_e1403 > _e1406));
-                                                                                let _e1411 = bitcast<f32>((bitcast<u32>(_e1284.z) & 2147483647u));
-                                                                                let _e1417 = bitcast<f32>((bitcast<u32>(_e1282.x) & 2147483647u));
-                                                                                let _e1420 = bitcast<f32>((bitcast<u32>(_e1282.y) & 2147483647u));
-                                                                                let _e1422 = select(_e1420, _e1417, (_e1417 > _e1420));
-                                                                                let _e1425 = bitcast<f32>((bitcast<u32>(_e1282.z) & 2147483647u));
-                                                                                let _e1429 = (bitcast<f32>((bitcast<u32>(_e1327) & 2147483647u)) > ((0.0000038146973f * select(_e1411, _e1408, (_e1408 > _e1411))) * select(_e1425, _e1422, (_e1422 > _e1425))));
-                                                                                if _e1429 {
-                                                                                    phi_2200_ = (_e1322 / _e1327);
+                                                                            let _e1123 = phi_2035_;
+                                                                            let _e1134 = (((_e1105 * (_e1123.x - _e419)) + (_e1110 * (_e1123.y - _e486))) + (_e1113 * (_e1123.z - _e552)));
+                                                                            let _e1139 = (((_e1105 * _e459) + (_e1110 * _e525)) + (_e1113 * _e591));
+                                                                            let _e1140 = (_e1086 - _e1090);
+                                                                            let _e1141 = (_e1084 - _e1088);
+                                                                            let _e1149 = (-(((_e1090 * _e1140) + (_e1088 * _e1141))) / ((_e1140 * _e1140) + (_e1141 * _e1141)));
+                                                                            let _e1151 = select(1f, _e1149, (_e1149 < 1f));
+                                                                            let _e1153 = select(0f, _e1151, (_e1151 > 0f));
+                                                                            let _e1166 = ((_e1092.x + (_e1098.x * _e1153)) - _e419);
+                                                                            let _e1167 = ((_e1092.y + (_e1098.y * _e1153)) - _e486);
+                                                                            let _e1168 = ((_e1092.z + (_e1098.z * _e1153)) - _e552);
+                                                                            let _e1169 = (_e1168 / _e591);
+                                                                            let _e1181 = bitcast<f32>((bitcast<u32>(_e1166) & 2147483647u));
+                                                                            let _e1184 = bitcast<f32>((bitcast<u32>(_e1167) & 2147483647u));
+                                                                            let _e1186 = select(_e1184, _e1181, (_e1181 > _e1184));
+                                                                            let _e1189 = bitcast<f32>((bitcast<u32>(_e1168) & 2147483647u));
+                                                                            let _e1191 = select(_e1189, _e1186, (_e1186 > _e1189));
+                                                                            let _e1197 = bitcast<f32>((bitcast<u32>(_e1105) & 2147483647u));
+                                                                            let _e1200 = bitcast<f32>((bitcast<u32>(_e1110) & 2147483647u));
+                                                                            let _e1202 = select(_e1200, _e1197, (_e1197 > _e1200));
+                                                                            let _e1205 = bitcast<f32>((bitcast<u32>(_e1113) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1105 * _e1166) + (_e1110 * _e1167)) + (_e1113 * _e1168)) - _e1134)) & 2147483647u)) <= ((0.0000009536743f * select(_e1071, _e1191, (_e1191 > _e1071))) * select(_e1205, _e1202, (_e1202 > _e1205)))) {
+                                                                                let _e1215 = bitcast<f32>((bitcast<u32>(_e1096.x) & 2147483647u));
+                                                                                let _e1218 = bitcast<f32>((bitcast<u32>(_e1096.y) & 2147483647u));
+                                                                                let _e1220 = select(_e1218, _e1215, (_e1215 > _e1218));
+                                                                                let _e1223 = bitcast<f32>((bitcast<u32>(_e1096.z) & 2147483647u));
+                                                                                let _e1229 = bitcast<f32>((bitcast<u32>(_e1094.x) & 2147483647u));
+                                                                                let _e1232 = bitcast<f32>((bitcast<u32>(_e1094.y) & 2147483647u));
+                                                                                let _e1234 = select(_e1232, _e1229, (_e1229 > _e1232));
+                                                                                let _e1237 = bitcast<f32>((bitcast<u32>(_e1094.z) & 2147483647u));
+                                                                                let _e1241 = (bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u)) > ((0.0000038146973f * select(_e1223, _e1220, (_e1220 > _e1223))) * select(_e1237, _e1234, (_e1234 > _e1237))));
+                                                                                if _e1241 {
+                                                                                    phi_2200_ = (_e1134 / _e1139);
                                                                                 } else {
                                                                                     phi_2200_ = f32();
                                                                                 }
-                                                                                let _e1432 = phi_2200_;
-                                                                                phi_2202_ = _e1432;
-                                                                                phi_2203_ = select(true, false, _e1429);
+                                                                                let _e1244 = phi_2200_;
+                                                                                phi_2202_ = _e1244;
+                                                                                phi_2203_ = select(true, false, _e1241);
                                                                             } else {
                                                                                 phi_2202_ = f32();
                                                                                 phi_2203_ = true;
                                                                             }
-                                                                            let _e1435 = phi_2202_;
-                                                                            let _e1437 = phi_2203_;
-                                                                            if _e1437 {
-                                                                                let _e1445 = (((_e1293 * (_e1354 - (_e459 * _e1357))) + (_e1298 * (_e1355 - (_e525 * _e1357)))) / _e1327);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1445) & 2147483647u)) <= _e1259) {
-                                                                                    phi_2223_ = (_e1357 + _e1445);
+                                                                            let _e1247 = phi_2202_;
+                                                                            let _e1249 = phi_2203_;
+                                                                            if _e1249 {
+                                                                                let _e1257 = (((_e1105 * (_e1166 - (_e459 * _e1169))) + (_e1110 * (_e1167 - (_e525 * _e1169)))) / _e1139);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1257) & 2147483647u)) <= _e1071) {
+                                                                                    phi_2223_ = (_e1169 + _e1257);
                                                                                 } else {
-                                                                                    phi_2223_ = _e1357;
+                                                                                    phi_2223_ = _e1169;
                                                                                 }
-                                                                                let _e1452 = phi_2223_;
-                                                                                phi_2224_ = _e1452;
+                                                                                let _e1264 = phi_2223_;
+                                                                                phi_2224_ = _e1264;
                                                                             } else {
-                                                                                phi_2224_ = _e1435;
+                                                                                phi_2224_ = _e1247;
                                                                             }
-                                                                            let _e1454 = phi_2224_;
-                                                                            let _e1456 = select(_e1192, _e1454, (_e1454 < _e1192));
-                                                                            let _e1458 = select(_e1184, _e1456, (_e1456 > _e1184));
-                                                                            if (_e1458 >= _e705) {
-                                                                                let _e1460 = (_e1458 <= _e940.member);
-                                                                                if _e1460 {
-                                                                                    let _e1461 = (1f / _e1111);
-                                                                                    phi_2247_ = type_28(_e1458, (_e1105 * _e1461), (_e1109 * _e1461), _e969);
+                                                                            let _e1266 = phi_2224_;
+                                                                            let _e1268 = select(_e1004, _e1266, (_e1266 < _e1004));
+                                                                            let _e1270 = select(_e996, _e1268, (_e1268 > _e996));
+                                                                            if (_e1270 >= _e705) {
+                                                                                let _e1272 = (_e1270 <= _e752.member);
+                                                                                if _e1272 {
+                                                                                    let _e1273 = (1f / _e923);
+                                                                                    phi_2247_ = type_28(_e1270, (_e917 * _e1273), (_e921 * _e1273), _e781);
                                                                                 } else {
                                                                                     phi_2247_ = type_28();
                                                                                 }
-                                                                                let _e1466 = phi_2247_;
-                                                                                phi_2249_ = _e1466;
-                                                                                phi_2250_ = select(true, false, _e1460);
+                                                                                let _e1278 = phi_2247_;
+                                                                                phi_2249_ = _e1278;
+                                                                                phi_2250_ = select(true, false, _e1272);
                                                                             } else {
                                                                                 phi_2249_ = type_28();
                                                                                 phi_2250_ = true;
                                                                             }
-                                                                            let _e1469 = phi_2249_;
-                                                                            let _e1471 = phi_2250_;
-                                                                            if _e1471 {
+                                                                            let _e1281 = phi_2249_;
+                                                                            let _e1283 = phi_2250_;
+                                                                            if _e1283 {
                                                                                 phi_2254_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2254_ = _e1469;
+                                                                                phi_2254_ = _e1281;
                                                                             }
-                                                                            let _e1473 = phi_2254_;
-                                                                            phi_2255_ = _e1473;
+                                                                            let _e1285 = phi_2254_;
+                                                                            phi_2255_ = _e1285;
                                                                         }
-                                                                        let _e1475 = phi_2255_;
-                                                                        phi_2256_ = _e1475;
-                                                                        phi_2257_ = _e1201;
+                                                                        let _e1287 = phi_2255_;
+                                                                        phi_2256_ = _e1287;
+                                                                        phi_2257_ = _e1013;
                                                                     }
-                                                                    let _e1477 = phi_2256_;
-                                                                    let _e1479 = phi_2257_;
-                                                                    phi_2261_ = _e1477;
-                                                                    phi_2262_ = _e1479;
+                                                                    let _e1289 = phi_2256_;
+                                                                    let _e1291 = phi_2257_;
+                                                                    phi_2261_ = _e1289;
+                                                                    phi_2262_ = _e1291;
                                                                 }
-                                                                let _e1481 = phi_2261_;
-                                                                let _e1483 = phi_2262_;
-                                                                phi_2263_ = _e1481;
-                                                                phi_2264_ = _e1136;
-                                                                phi_2265_ = _e1483;
+                                                                let _e1293 = phi_2261_;
+                                                                let _e1295 = phi_2262_;
+                                                                phi_2263_ = _e1293;
+                                                                phi_2264_ = _e948;
+                                                                phi_2265_ = _e1295;
                                                             }
-                                                            let _e1485 = phi_2263_;
-                                                            let _e1487 = phi_2264_;
-                                                            let _e1489 = phi_2265_;
-                                                            phi_2266_ = _e1485;
-                                                            phi_2267_ = _e1487;
-                                                            phi_2268_ = _e1489;
+                                                            let _e1297 = phi_2263_;
+                                                            let _e1299 = phi_2264_;
+                                                            let _e1301 = phi_2265_;
+                                                            phi_2266_ = _e1297;
+                                                            phi_2267_ = _e1299;
+                                                            phi_2268_ = _e1301;
                                                         }
-                                                        let _e1491 = phi_2266_;
-                                                        let _e1493 = phi_2267_;
-                                                        let _e1495 = phi_2268_;
-                                                        phi_2276_ = _e1491;
-                                                        phi_2277_ = select(_e1495, true, _e1493);
+                                                        let _e1303 = phi_2266_;
+                                                        let _e1305 = phi_2267_;
+                                                        let _e1307 = phi_2268_;
+                                                        phi_2276_ = _e1303;
+                                                        phi_2277_ = select(_e1307, true, _e1305);
                                                     } else {
                                                         phi_2276_ = type_28();
                                                         phi_2277_ = true;
                                                     }
-                                                    let _e1498 = phi_2276_;
-                                                    let _e1500 = phi_2277_;
-                                                    if _e1500 {
+                                                    let _e1310 = phi_2276_;
+                                                    let _e1312 = phi_2277_;
+                                                    if _e1312 {
                                                         phi_2281_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2281_ = _e1498;
+                                                        phi_2281_ = _e1310;
                                                     }
-                                                    let _e1502 = phi_2281_;
-                                                    if (_e1502.member_3 != 4294967295u) {
-                                                        if (_e969 == _e107) {
+                                                    let _e1314 = phi_2281_;
+                                                    if (_e1314.member_3 != 4294967295u) {
+                                                        if (_e781 == _e107) {
                                                             phi_2616_ = false;
                                                         } else {
-                                                            let _e1506 = (_e969 < arrayLength((&global_5.member)));
-                                                            if _e1506 {
-                                                                if _e1506 {
+                                                            let _e1318 = (_e781 < arrayLength((&global_5.member)));
+                                                            if _e1318 {
+                                                                if _e1318 {
                                                                 } else {
-                                                                    phi_3191_ = true;
+                                                                    phi_3194_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1508 = global_5.member[_e969];
-                                                                phi_2304_ = _e1508;
+                                                                let _e1320 = global_5.member[_e781];
+                                                                phi_2304_ = _e1320;
                                                             } else {
                                                                 phi_2304_ = 4294967295u;
                                                             }
-                                                            let _e1510 = phi_2304_;
-                                                            let _e1511 = (_e1510 < arrayLength((&global_6.member)));
-                                                            if _e1511 {
-                                                                if _e1511 {
+                                                            let _e1322 = phi_2304_;
+                                                            let _e1323 = (_e1322 < arrayLength((&global_6.member)));
+                                                            if _e1323 {
+                                                                if _e1323 {
                                                                 } else {
-                                                                    phi_3191_ = true;
+                                                                    phi_3194_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1513 = global_6.member[_e1510];
-                                                                phi_2318_ = _e1513;
+                                                                let _e1325 = global_6.member[_e1322];
+                                                                phi_2318_ = _e1325;
                                                             } else {
                                                                 phi_2318_ = 0i;
                                                             }
-                                                            let _e1515 = phi_2318_;
-                                                            let _e1516 = (_e1515 == 0i);
-                                                            if _e1516 {
+                                                            let _e1327 = phi_2318_;
+                                                            let _e1328 = (_e1327 == 0i);
+                                                            if _e1328 {
                                                                 phi_2615_ = true;
                                                             } else {
                                                                 if _e396 {
-                                                                    phi_2341_ = vec3<f32>(_e1039[0][0], _e1039[0][1], _e1039[0][2]);
+                                                                    phi_2341_ = vec3<f32>(_e851[0][0], _e851[0][1], _e851[0][2]);
                                                                 } else {
                                                                     if (_e372 == 1u) {
-                                                                        phi_2340_ = vec3<f32>(_e1039[0][2], _e1039[0][0], _e1039[0][1]);
+                                                                        phi_2340_ = vec3<f32>(_e851[0][2], _e851[0][0], _e851[0][1]);
                                                                     } else {
-                                                                        phi_2340_ = vec3<f32>(_e1039[0][1], _e1039[0][2], _e1039[0][0]);
+                                                                        phi_2340_ = vec3<f32>(_e851[0][1], _e851[0][2], _e851[0][0]);
                                                                     }
-                                                                    let _e1521 = phi_2340_;
-                                                                    phi_2341_ = _e1521;
+                                                                    let _e1333 = phi_2340_;
+                                                                    phi_2341_ = _e1333;
                                                                 }
-                                                                let _e1524 = phi_2341_;
+                                                                let _e1336 = phi_2341_;
                                                                 if _e396 {
-                                                                    phi_2360_ = vec3<f32>(_e1039[1][0], _e1039[1][1], _e1039[1][2]);
+                                                                    phi_2360_ = vec3<f32>(_e851[1][0], _e851[1][1], _e851[1][2]);
                                                                 } else {
                                                                     if (_e372 == 1u) {
-                                                                        phi_2359_ = vec3<f32>(_e1039[1][2], _e1039[1][0], _e1039[1][1]);
+                                                                        phi_2359_ = vec3<f32>(_e851[1][2], _e851[1][0], _e851[1][1]);
                                                                     } else {
-                                                                        phi_2359_ = vec3<f32>(_e1039[1][1], _e1039[1][2], _e1039[1][0]);
+                                                                        phi_2359_ = vec3<f32>(_e851[1][1], _e851[1][2], _e851[1][0]);
                                                                     }
-                                                                    let _e1529 = phi_2359_;
-                                                                    phi_2360_ = _e1529;
+                                                                    let _e1341 = phi_2359_;
+                                                                    phi_2360_ = _e1341;
                                                                 }
-                                                                let _e1532 = phi_2360_;
+                                                                let _e1344 = phi_2360_;
                                                                 if _e396 {
-                                                                    phi_2379_ = vec3<f32>(_e1039[2][0], _e1039[2][1], _e1039[2][2]);
+                                                                    phi_2379_ = vec3<f32>(_e851[2][0], _e851[2][1], _e851[2][2]);
                                                                 } else {
                                                                     if (_e372 == 1u) {
-                                                                        phi_2378_ = vec3<f32>(_e1039[2][2], _e1039[2][0], _e1039[2][1]);
+                                                                        phi_2378_ = vec3<f32>(_e851[2][2], _e851[2][0], _e851[2][1]);
                                                                     } else {
-                                                                        phi_2378_ = vec3<f32>(_e1039[2][1], _e1039[2][2], _e1039[2][0]);
+                                                                        phi_2378_ = vec3<f32>(_e851[2][1], _e851[2][2], _e851[2][0]);
                                                                     }
-                                                                    let _e1537 = phi_2378_;
-                                                                    phi_2379_ = _e1537;
+                                                                    let _e1349 = phi_2378_;
+                                                                    phi_2379_ = _e1349;
                                                                 }
-                                                                let _e1540 = phi_2379_;
-                                                                let _e1543 = (_e1532.x - _e1524.x);
-                                                                let _e1546 = (_e1532.y - _e1524.y);
-                                                                let _e1549 = (_e1532.z - _e1524.z);
-                                                                let _e1551 = (_e1540.x - _e1524.x);
-                                                                let _e1553 = (_e1540.y - _e1524.y);
-                                                                let _e1555 = (_e1540.z - _e1524.z);
+                                                                let _e1352 = phi_2379_;
+                                                                let _e1355 = (_e1344.x - _e1336.x);
+                                                                let _e1358 = (_e1344.y - _e1336.y);
+                                                                let _e1361 = (_e1344.z - _e1336.z);
+                                                                let _e1363 = (_e1352.x - _e1336.x);
+                                                                let _e1365 = (_e1352.y - _e1336.y);
+                                                                let _e1367 = (_e1352.z - _e1336.z);
                                                                 if (_e239.member_1 == 1u) {
-                                                                    phi_2415_ = (vec3<f32>(_e239.member[0], _e239.member[1], _e239.member[2]) - _e1524);
+                                                                    phi_2415_ = (vec3<f32>(_e239.member[0], _e239.member[1], _e239.member[2]) - _e1336);
                                                                 } else {
                                                                     phi_2415_ = vec3<f32>(_e239.member[0], _e239.member[1], _e239.member[2]);
                                                                 }
-                                                                let _e1570 = phi_2415_;
-                                                                let _e1576 = bitcast<f32>((bitcast<u32>((_e1543 * _e1553)) ^ _e239.member_3[0]));
-                                                                let _e1580 = bitcast<f32>((bitcast<u32>((_e1546 * _e1551)) ^ _e239.member_3[0]));
-                                                                let _e1584 = bitcast<f32>((bitcast<u32>((_e1546 * _e1555)) ^ _e239.member_3[0]));
-                                                                let _e1588 = bitcast<f32>((bitcast<u32>((_e1549 * _e1553)) ^ _e239.member_3[0]));
-                                                                let _e1592 = bitcast<f32>((bitcast<u32>((_e1549 * _e1551)) ^ _e239.member_3[0]));
-                                                                let _e1596 = bitcast<f32>((bitcast<u32>((_e1543 * _e1555)) ^ _e239.member_3[0]));
-                                                                let _e1597 = (_e1584 - _e1588);
-                                                                let _e1598 = (_e1592 - _e1596);
-                                                                let _e1599 = (_e1576 - _e1580);
-                                                                let _e1623 = (bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1588) & 2147483647u)));
-                                                                let _e1630 = (bitcast<f32>((bitcast<u32>(_e1592) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1596) & 2147483647u)));
-                                                                let _e1637 = (bitcast<f32>((bitcast<u32>(_e1576) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u)));
+                                                                let _e1382 = phi_2415_;
+                                                                let _e1388 = bitcast<f32>((bitcast<u32>((_e1355 * _e1365)) ^ _e239.member_3[0]));
+                                                                let _e1392 = bitcast<f32>((bitcast<u32>((_e1358 * _e1363)) ^ _e239.member_3[0]));
+                                                                let _e1396 = bitcast<f32>((bitcast<u32>((_e1358 * _e1367)) ^ _e239.member_3[0]));
+                                                                let _e1400 = bitcast<f32>((bitcast<u32>((_e1361 * _e1365)) ^ _e239.member_3[0]));
+                                                                let _e1404 = bitcast<f32>((bitcast<u32>((_e1361 * _e1363)) ^ _e239.member_3[0]));
+                                                                let _e1408 = bitcast<f32>((bitcast<u32>((_e1355 * _e1367)) ^ _e239.member_3[0]));
+                                                                let _e1409 = (_e1396 - _e1400);
+                                                                let _e1410 = (_e1404 - _e1408);
+                                                                let _e1411 = (_e1388 - _e1392);
+                                                                let _e1435 = (bitcast<f32>((bitcast<u32>(_e1396) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1400) & 2147483647u)));
+                                                                let _e1442 = (bitcast<f32>((bitcast<u32>(_e1404) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1408) & 2147483647u)));
+                                                                let _e1449 = (bitcast<f32>((bitcast<u32>(_e1388) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1392) & 2147483647u)));
                                                                 if (_e239.member_2 == 0f) {
                                                                     phi_2597_ = 0f;
                                                                 } else {
-                                                                    let _e1667 = bitcast<f32>((bitcast<u32>(_e1597) & 2147483647u));
-                                                                    let _e1670 = bitcast<f32>((bitcast<u32>(_e1598) & 2147483647u));
-                                                                    let _e1673 = bitcast<f32>((bitcast<u32>(_e1599) & 2147483647u));
-                                                                    let _e1675 = select(_e1673, _e1670, (_e1670 > _e1673));
-                                                                    let _e1679 = select(_e1673, _e1670, (_e1670 < _e1673));
-                                                                    let _e1683 = select(_e1670, _e1667, (_e1667 < _e1670));
-                                                                    let _e1685 = select(_e1670, _e1667, (_e1667 > _e1670));
-                                                                    let _e1687 = select(_e1673, _e1685, (_e1685 < _e1673));
-                                                                    phi_2597_ = bitcast<f32>((bitcast<u32>((_e239.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1675, _e1667, (_e1667 > _e1675)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1687, _e1683, (_e1683 > _e1687)))) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1679, _e1667, (_e1667 < _e1679)))) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1623 + _e1630) + _e1637))) ^ _e239.member_3[0]))) * 1.0000005f)) ^ _e239.member_3[0])))) ^ _e239.member_3[0]));
+                                                                    let _e1479 = bitcast<f32>((bitcast<u32>(_e1409) & 2147483647u));
+                                                                    let _e1482 = bitcast<f32>((bitcast<u32>(_e1410) & 2147483647u));
+                                                                    let _e1485 = bitcast<f32>((bitcast<u32>(_e1411) & 2147483647u));
+                                                                    let _e1487 = select(_e1485, _e1482, (_e1482 > _e1485));
+                                                                    let _e1491 = select(_e1485, _e1482, (_e1482 < _e1485));
+                                                                    let _e1495 = select(_e1482, _e1479, (_e1479 < _e1482));
+                                                                    let _e1497 = select(_e1482, _e1479, (_e1479 > _e1482));
+                                                                    let _e1499 = select(_e1485, _e1497, (_e1497 < _e1485));
+                                                                    phi_2597_ = bitcast<f32>((bitcast<u32>((_e239.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1487, _e1479, (_e1479 > _e1487)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1499, _e1495, (_e1495 > _e1499)))) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1491, _e1479, (_e1479 < _e1491)))) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1435 + _e1442) + _e1449))) ^ _e239.member_3[0]))) * 1.0000005f)) ^ _e239.member_3[0])))) ^ _e239.member_3[0]));
                                                                 }
-                                                                let _e1714 = phi_2597_;
-                                                                phi_2615_ = (_e1516 || !(((((bitcast<f32>((bitcast<u32>((_e1570.x * _e1597)) ^ _e239.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1570.y * _e1598)) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1570.z * _e1599)) ^ _e239.member_3[0]))) * f32(-(_e1515))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1570.x) & 2147483647u)) * _e1623)) ^ _e239.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1570.y) & 2147483647u)) * _e1630)) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1570.z) & 2147483647u)) * _e1637)) ^ _e239.member_3[0]))))) ^ _e239.member_3[0])) + _e1714) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1526 = phi_2597_;
+                                                                phi_2615_ = (_e1328 || !(((((bitcast<f32>((bitcast<u32>((_e1382.x * _e1409)) ^ _e239.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1382.y * _e1410)) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1382.z * _e1411)) ^ _e239.member_3[0]))) * f32(-(_e1327))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1382.x) & 2147483647u)) * _e1435)) ^ _e239.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1382.y) & 2147483647u)) * _e1442)) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1382.z) & 2147483647u)) * _e1449)) ^ _e239.member_3[0]))))) ^ _e239.member_3[0])) + _e1526) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1728 = phi_2615_;
-                                                            phi_2616_ = _e1728;
+                                                            let _e1540 = phi_2615_;
+                                                            phi_2616_ = _e1540;
                                                         }
-                                                        let _e1730 = phi_2616_;
-                                                        if _e1730 {
-                                                            phi_2621_ = type_55(_e940.member, true);
+                                                        let _e1542 = phi_2616_;
+                                                        if _e1542 {
+                                                            phi_2621_ = type_55(_e752.member, true);
                                                         } else {
-                                                            phi_2621_ = _e940;
+                                                            phi_2621_ = _e752;
                                                         }
-                                                        let _e1735 = phi_2621_;
-                                                        phi_2622_ = _e1735;
+                                                        let _e1547 = phi_2621_;
+                                                        phi_2622_ = _e1547;
                                                     } else {
-                                                        phi_2622_ = _e940;
+                                                        phi_2622_ = _e752;
                                                     }
-                                                    let _e1737 = phi_2622_;
-                                                    phi_1244_ = _e1737;
+                                                    let _e1549 = phi_2622_;
+                                                    phi_1244_ = _e1549;
                                                 } else {
                                                     phi_1244_ = type_55();
                                                 }
-                                                let _e1739 = phi_1244_;
+                                                let _e1551 = phi_1244_;
                                                 continue;
                                                 continuing {
-                                                    phi_1243_ = _e1739;
-                                                    phi_1246_ = _e955;
-                                                    phi_3191_ = _e713;
-                                                    break if !(_e961);
+                                                    phi_1243_ = _e1551;
+                                                    phi_1246_ = _e767;
+                                                    phi_3194_ = _e713;
+                                                    break if !(_e773);
                                                 }
                                             }
-                                            let _e1742 = phi_3191_;
-                                            phi_3383_ = _e1742;
-                                            if _e1742 {
+                                            let _e1554 = phi_3194_;
+                                            phi_3386_ = _e1554;
+                                            if _e1554 {
                                                 break;
                                             }
-                                            let _e1744 = local_2;
-                                            phi_3387_ = _e1742;
-                                            let _e1949 = local_4;
-                                            phi_3110_ = _e1949;
-                                            phi_3111_ = false;
-                                            phi_3112_ = select(_e740, 0u, _e1744.member_1);
-                                            phi_3113_ = _e742;
+                                            phi_3421_ = _e1554;
+                                            let _e1938 = local_3;
+                                            phi_2623_ = _e1938;
+                                        } else {
+                                            phi_3421_ = _e713;
+                                            phi_2623_ = _e715;
+                                        }
+                                        let _e1556 = phi_3421_;
+                                        let _e1558 = phi_2623_;
+                                        if _e745 {
+                                            phi_3103_ = bool();
+                                            phi_3104_ = u32();
+                                            phi_3105_ = u32();
                                         } else {
                                             if (_e742 >= _e82) {
-                                                phi_2694_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                                phi_2688_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
                                                 if (_e742 < _e82) {
                                                 } else {
-                                                    phi_3383_ = true;
+                                                    phi_3386_ = true;
                                                     break;
                                                 }
-                                                let _e752 = (_e372 % 3u);
-                                                if (_e752 < 3u) {
+                                                let _e1561 = (_e372 % 3u);
+                                                if (_e1561 < 3u) {
                                                 } else {
-                                                    phi_3383_ = true;
+                                                    phi_3386_ = true;
                                                     break;
                                                 }
-                                                let _e758 = global_4.member[_e742].member[_e752];
-                                                let _e764 = (_e371 % 3u);
-                                                if (_e764 < 3u) {
+                                                let _e1567 = global_4.member[_e742].member[_e1561];
+                                                let _e1573 = (_e371 % 3u);
+                                                if (_e1573 < 3u) {
                                                 } else {
-                                                    phi_3383_ = true;
+                                                    phi_3386_ = true;
                                                     break;
                                                 }
-                                                let _e770 = global_4.member[_e742].member[_e764];
-                                                let _e776 = (_e373 % 3u);
-                                                if (_e776 < 3u) {
+                                                let _e1579 = global_4.member[_e742].member[_e1573];
+                                                let _e1585 = (_e373 % 3u);
+                                                if (_e1585 < 3u) {
                                                 } else {
-                                                    phi_3383_ = true;
+                                                    phi_3386_ = true;
                                                     break;
                                                 }
-                                                let _e782 = global_4.member[_e742].member[_e776];
-                                                let _e792 = global_4.member[_e742].member_1;
-                                                let _e796 = global_4.member[_e742].member_2;
-                                                phi_2694_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e758[0], _e758[1], _e758[2], _e758[3]), vec4<f32>(_e770[0], _e770[1], _e770[2], _e770[3]), vec4<f32>(_e782[0], _e782[1], _e782[2], _e782[3])), _e792, _e796);
+                                                let _e1591 = global_4.member[_e742].member[_e1585];
+                                                let _e1601 = global_4.member[_e742].member_1;
+                                                let _e1605 = global_4.member[_e742].member_2;
+                                                phi_2688_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e1567[0], _e1567[1], _e1567[2], _e1567[3]), vec4<f32>(_e1579[0], _e1579[1], _e1579[2], _e1579[3]), vec4<f32>(_e1591[0], _e1591[1], _e1591[2], _e1591[3])), _e1601, _e1605);
                                             }
-                                            let _e799 = phi_2694_;
-                                            let _e811 = ((_e799.member[0].x - _e457) * _e462);
-                                            let _e812 = ((_e799.member[0].y - _e457) * _e462);
-                                            let _e813 = ((_e799.member[0].z - _e458) * _e462);
-                                            let _e814 = ((_e799.member[0].w - _e458) * _e462);
-                                            let _e824 = ((_e799.member[1].x - _e523) * _e528);
-                                            let _e825 = ((_e799.member[1].y - _e523) * _e528);
-                                            let _e826 = ((_e799.member[1].z - _e524) * _e528);
-                                            let _e827 = ((_e799.member[1].w - _e524) * _e528);
-                                            let _e837 = ((_e799.member[2].x - _e589) * _e594);
-                                            let _e838 = ((_e799.member[2].y - _e589) * _e594);
-                                            let _e839 = ((_e799.member[2].z - _e590) * _e594);
-                                            let _e840 = ((_e799.member[2].w - _e590) * _e594);
-                                            let _e842 = select(_e839, _e837, (_e837 < _e839));
-                                            let _e844 = select(_e840, _e838, (_e838 < _e840));
-                                            let _e846 = select(_e839, _e837, (_e837 > _e839));
-                                            let _e848 = select(_e840, _e838, (_e838 > _e840));
-                                            let _e850 = select(_e813, _e811, (_e811 < _e813));
-                                            let _e852 = select(_e814, _e812, (_e812 < _e814));
-                                            let _e854 = select(_e826, _e824, (_e824 < _e826));
-                                            let _e856 = select(_e827, _e825, (_e825 < _e827));
-                                            let _e858 = select(_e854, _e850, (_e850 > _e854));
-                                            let _e860 = select(_e856, _e852, (_e852 > _e856));
-                                            let _e862 = select(_e842, _e858, (_e858 > _e842));
-                                            let _e864 = select(_e844, _e860, (_e860 > _e844));
-                                            let _e866 = select(_e813, _e811, (_e811 > _e813));
-                                            let _e868 = select(_e814, _e812, (_e812 > _e814));
-                                            let _e870 = select(_e826, _e824, (_e824 > _e826));
-                                            let _e872 = select(_e827, _e825, (_e825 > _e827));
-                                            let _e874 = select(_e870, _e866, (_e866 < _e870));
-                                            let _e876 = select(_e872, _e868, (_e868 < _e872));
-                                            let _e881 = -(_e842);
-                                            let _e882 = -(_e844);
-                                            let _e889 = (select(_e846, _e874, (_e874 < _e846)) + (select(_e881, _e846, (_e846 > _e881)) * 0.0000019073523f));
-                                            let _e890 = (select(_e848, _e876, (_e876 < _e848)) + (select(_e882, _e848, (_e848 > _e882)) * 0.0000019073523f));
-                                            let _e892 = select(_e705, _e862, (_e862 > _e705));
-                                            let _e894 = select(_e705, _e864, (_e864 > _e705));
-                                            let _e899 = (_e892 <= select(_e715.member, _e889, (_e889 < _e715.member)));
-                                            let _e900 = (_e894 <= select(_e715.member, _e890, (_e890 < _e715.member)));
-                                            let _e901 = (_e892 <= _e894);
-                                            if _e899 {
-                                                if _e900 {
-                                                    if _e901 {
-                                                        phi_3056_ = _e799.member_2;
+                                            let _e1608 = phi_2688_;
+                                            let _e1620 = ((_e1608.member[0].x - _e457) * _e462);
+                                            let _e1621 = ((_e1608.member[0].y - _e457) * _e462);
+                                            let _e1622 = ((_e1608.member[0].z - _e458) * _e462);
+                                            let _e1623 = ((_e1608.member[0].w - _e458) * _e462);
+                                            let _e1633 = ((_e1608.member[1].x - _e523) * _e528);
+                                            let _e1634 = ((_e1608.member[1].y - _e523) * _e528);
+                                            let _e1635 = ((_e1608.member[1].z - _e524) * _e528);
+                                            let _e1636 = ((_e1608.member[1].w - _e524) * _e528);
+                                            let _e1646 = ((_e1608.member[2].x - _e589) * _e594);
+                                            let _e1647 = ((_e1608.member[2].y - _e589) * _e594);
+                                            let _e1648 = ((_e1608.member[2].z - _e590) * _e594);
+                                            let _e1649 = ((_e1608.member[2].w - _e590) * _e594);
+                                            let _e1651 = select(_e1648, _e1646, (_e1646 < _e1648));
+                                            let _e1653 = select(_e1649, _e1647, (_e1647 < _e1649));
+                                            let _e1655 = select(_e1648, _e1646, (_e1646 > _e1648));
+                                            let _e1657 = select(_e1649, _e1647, (_e1647 > _e1649));
+                                            let _e1659 = select(_e1622, _e1620, (_e1620 < _e1622));
+                                            let _e1661 = select(_e1623, _e1621, (_e1621 < _e1623));
+                                            let _e1663 = select(_e1635, _e1633, (_e1633 < _e1635));
+                                            let _e1665 = select(_e1636, _e1634, (_e1634 < _e1636));
+                                            let _e1667 = select(_e1663, _e1659, (_e1659 > _e1663));
+                                            let _e1669 = select(_e1665, _e1661, (_e1661 > _e1665));
+                                            let _e1671 = select(_e1651, _e1667, (_e1667 > _e1651));
+                                            let _e1673 = select(_e1653, _e1669, (_e1669 > _e1653));
+                                            let _e1675 = select(_e1622, _e1620, (_e1620 > _e1622));
+                                            let _e1677 = select(_e1623, _e1621, (_e1621 > _e1623));
+                                            let _e1679 = select(_e1635, _e1633, (_e1633 > _e1635));
+                                            let _e1681 = select(_e1636, _e1634, (_e1634 > _e1636));
+                                            let _e1683 = select(_e1679, _e1675, (_e1675 < _e1679));
+                                            let _e1685 = select(_e1681, _e1677, (_e1677 < _e1681));
+                                            let _e1690 = -(_e1651);
+                                            let _e1691 = -(_e1653);
+                                            let _e1698 = (select(_e1655, _e1683, (_e1683 < _e1655)) + (select(_e1690, _e1655, (_e1655 > _e1690)) * 0.0000019073523f));
+                                            let _e1699 = (select(_e1657, _e1685, (_e1685 < _e1657)) + (select(_e1691, _e1657, (_e1657 > _e1691)) * 0.0000019073523f));
+                                            let _e1701 = select(_e705, _e1671, (_e1671 > _e705));
+                                            let _e1703 = select(_e705, _e1673, (_e1673 > _e705));
+                                            let _e1708 = (_e1701 <= select(_e1558.member, _e1698, (_e1698 < _e1558.member)));
+                                            let _e1709 = (_e1703 <= select(_e1558.member, _e1699, (_e1699 < _e1558.member)));
+                                            let _e1710 = (_e1701 <= _e1703);
+                                            if _e1708 {
+                                                if _e1709 {
+                                                    if _e1710 {
+                                                        phi_3050_ = _e1608.member_2;
                                                     } else {
-                                                        phi_3056_ = _e799.member_1;
+                                                        phi_3050_ = _e1608.member_1;
                                                     }
-                                                    let _e905 = phi_3056_;
-                                                    let _e908 = (_e740 % 128u);
-                                                    let _e909 = (_e908 < 128u);
-                                                    if _e909 {
+                                                    let _e1714 = phi_3050_;
+                                                    let _e1716 = (_e740 % 128u);
+                                                    let _e1717 = (_e1716 < 128u);
+                                                    if _e1717 {
                                                     } else {
-                                                        phi_3383_ = true;
+                                                        phi_3386_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e908] = _e905;
-                                                    if _e909 {
+                                                    local_1[_e1716] = _e1714;
+                                                    if _e1717 {
                                                     } else {
-                                                        phi_3383_ = true;
+                                                        phi_3386_ = true;
                                                         break;
                                                     }
-                                                    local[_e908] = select(_e894, _e892, !(_e901));
-                                                    if _e901 {
-                                                        phi_3084_ = _e799.member_1;
+                                                    local[_e1716] = select(_e1701, _e1703, _e1710);
+                                                    if _e1710 {
+                                                        phi_3077_ = _e1608.member_1;
                                                     } else {
-                                                        phi_3084_ = _e799.member_2;
+                                                        phi_3077_ = _e1608.member_2;
                                                     }
-                                                    let _e916 = phi_3084_;
-                                                    phi_3085_ = (_e740 + 1u);
-                                                    phi_3086_ = _e916;
+                                                    let _e1724 = phi_3077_;
+                                                    phi_3078_ = (_e740 + 1u);
+                                                    phi_3079_ = _e1724;
                                                 } else {
-                                                    phi_3085_ = u32();
-                                                    phi_3086_ = u32();
+                                                    phi_3078_ = u32();
+                                                    phi_3079_ = u32();
                                                 }
-                                                let _e918 = phi_3085_;
-                                                let _e920 = phi_3086_;
-                                                phi_3088_ = _e918;
-                                                phi_3089_ = _e920;
-                                                phi_3090_ = select(true, false, _e900);
+                                                let _e1726 = phi_3078_;
+                                                let _e1728 = phi_3079_;
+                                                phi_3081_ = _e1726;
+                                                phi_3082_ = _e1728;
+                                                phi_3083_ = select(true, false, _e1709);
                                             } else {
-                                                phi_3088_ = u32();
-                                                phi_3089_ = u32();
-                                                phi_3090_ = true;
+                                                phi_3081_ = u32();
+                                                phi_3082_ = u32();
+                                                phi_3083_ = true;
                                             }
-                                            let _e923 = phi_3088_;
-                                            let _e925 = phi_3089_;
-                                            let _e927 = phi_3090_;
-                                            if _e927 {
-                                                if _e899 {
-                                                    phi_3099_ = _e799.member_1;
+                                            let _e1731 = phi_3081_;
+                                            let _e1733 = phi_3082_;
+                                            let _e1735 = phi_3083_;
+                                            if _e1735 {
+                                                if _e1708 {
+                                                    phi_3092_ = _e1608.member_1;
                                                 } else {
-                                                    phi_3099_ = _e799.member_2;
+                                                    phi_3092_ = _e1608.member_2;
                                                 }
-                                                let _e931 = phi_3099_;
-                                                phi_3104_ = select(_e900, true, _e899);
-                                                phi_3106_ = _e931;
+                                                let _e1739 = phi_3092_;
+                                                phi_3097_ = select(_e1709, true, _e1708);
+                                                phi_3099_ = _e1739;
                                             } else {
-                                                phi_3104_ = _e738;
-                                                phi_3106_ = _e925;
+                                                phi_3097_ = _e738;
+                                                phi_3099_ = _e1733;
                                             }
-                                            let _e934 = phi_3104_;
-                                            let _e936 = phi_3106_;
-                                            phi_3387_ = _e713;
-                                            phi_3110_ = _e715;
-                                            phi_3111_ = _e934;
-                                            phi_3112_ = select(_e923, _e740, _e927);
-                                            phi_3113_ = _e936;
+                                            let _e1742 = phi_3097_;
+                                            let _e1744 = phi_3099_;
+                                            phi_3103_ = _e1742;
+                                            phi_3104_ = select(_e1731, _e740, _e1735);
+                                            phi_3105_ = _e1744;
                                         }
-                                        let _e1748 = phi_3387_;
-                                        let _e1750 = phi_3110_;
-                                        let _e1752 = phi_3111_;
-                                        let _e1754 = phi_3112_;
-                                        let _e1756 = phi_3113_;
-                                        phi_3386_ = _e1748;
-                                        phi_3114_ = _e1750;
-                                        phi_3115_ = _e1752;
-                                        phi_3116_ = (_e719 - 1u);
-                                        phi_3117_ = _e1754;
-                                        phi_3118_ = _e1756;
+                                        let _e1747 = phi_3103_;
+                                        let _e1749 = phi_3104_;
+                                        let _e1751 = phi_3105_;
+                                        if _e745 {
+                                            phi_3115_ = select(_e740, 0u, _e1558.member_1);
+                                        } else {
+                                            phi_3115_ = _e1749;
+                                        }
+                                        let _e1755 = phi_3115_;
+                                        phi_3389_ = _e1556;
+                                        phi_3117_ = _e1558;
+                                        phi_3118_ = (_e717 - 1u);
+                                        phi_3119_ = select(_e1747, false, _e745);
+                                        phi_3120_ = _e1755;
+                                        phi_3121_ = select(_e1751, _e742, _e745);
                                     } else {
-                                        phi_3386_ = _e713;
-                                        phi_3114_ = _e715;
-                                        phi_3115_ = _e738;
-                                        phi_3116_ = _e719;
-                                        phi_3117_ = _e740;
-                                        phi_3118_ = _e742;
+                                        phi_3389_ = _e713;
+                                        phi_3117_ = _e715;
+                                        phi_3118_ = _e717;
+                                        phi_3119_ = _e738;
+                                        phi_3120_ = _e740;
+                                        phi_3121_ = _e742;
                                     }
-                                    let _e1758 = phi_3386_;
-                                    let _e1760 = phi_3114_;
-                                    let _e1762 = phi_3115_;
-                                    let _e1764 = phi_3116_;
-                                    let _e1766 = phi_3117_;
-                                    let _e1768 = phi_3118_;
-                                    phi_3385_ = _e1758;
-                                    phi_3119_ = _e1760;
-                                    phi_3120_ = _e1762;
-                                    phi_3121_ = _e1764;
-                                    phi_3122_ = _e1766;
-                                    phi_3123_ = _e1768;
+                                    let _e1759 = phi_3389_;
+                                    let _e1761 = phi_3117_;
+                                    let _e1763 = phi_3118_;
+                                    let _e1765 = phi_3119_;
+                                    let _e1767 = phi_3120_;
+                                    let _e1769 = phi_3121_;
+                                    phi_3388_ = _e1759;
+                                    phi_3122_ = _e1761;
+                                    phi_3123_ = _e1763;
+                                    phi_3124_ = _e1765;
+                                    phi_3125_ = _e1767;
+                                    phi_3126_ = _e1769;
                                 } else {
-                                    phi_3385_ = _e713;
-                                    phi_3119_ = type_55();
-                                    phi_3120_ = bool();
-                                    phi_3121_ = u32();
-                                    phi_3122_ = u32();
+                                    phi_3388_ = _e713;
+                                    phi_3122_ = type_55();
                                     phi_3123_ = u32();
+                                    phi_3124_ = bool();
+                                    phi_3125_ = u32();
+                                    phi_3126_ = u32();
                                 }
-                                let _e1770 = phi_3385_;
-                                let _e1772 = phi_3119_;
-                                let _e1774 = phi_3120_;
-                                let _e1776 = phi_3121_;
-                                let _e1778 = phi_3122_;
-                                let _e1780 = phi_3123_;
-                                phi_3384_ = _e1770;
-                                phi_1175_ = _e1772;
-                                phi_1178_ = _e1774;
-                                phi_1180_ = _e1776;
-                                phi_1182_ = _e1778;
-                                phi_1184_ = _e1780;
-                                phi_3124_ = _e727;
+                                let _e1771 = phi_3388_;
+                                let _e1773 = phi_3122_;
+                                let _e1775 = phi_3123_;
+                                let _e1777 = phi_3124_;
+                                let _e1779 = phi_3125_;
+                                let _e1781 = phi_3126_;
+                                phi_3387_ = _e1771;
+                                phi_1175_ = _e1773;
+                                phi_1178_ = _e1775;
+                                phi_1180_ = _e1777;
+                                phi_1182_ = _e1779;
+                                phi_1184_ = _e1781;
+                                phi_3127_ = _e727;
                             } else {
-                                phi_3384_ = _e713;
+                                phi_3387_ = _e713;
                                 phi_1175_ = type_55();
-                                phi_1178_ = bool();
-                                phi_1180_ = u32();
+                                phi_1178_ = u32();
+                                phi_1180_ = bool();
                                 phi_1182_ = u32();
                                 phi_1184_ = u32();
-                                phi_3124_ = false;
+                                phi_3127_ = false;
                             }
-                            let _e1782 = phi_3384_;
-                            let _e1784 = phi_1175_;
-                            let _e1786 = phi_1178_;
-                            let _e1788 = phi_1180_;
-                            let _e1790 = phi_1182_;
-                            let _e1792 = phi_1184_;
-                            let _e1794 = phi_3124_;
+                            let _e1783 = phi_3387_;
+                            let _e1785 = phi_1175_;
+                            let _e1787 = phi_1178_;
+                            let _e1789 = phi_1180_;
+                            let _e1791 = phi_1182_;
+                            let _e1793 = phi_1184_;
+                            let _e1795 = phi_3127_;
                             continue;
                             continuing {
-                                phi_3197_ = _e1782;
-                                phi_1174_ = _e1784;
-                                phi_1177_ = _e1786;
-                                phi_1179_ = _e1788;
-                                phi_1181_ = _e1790;
-                                phi_1183_ = _e1792;
-                                phi_3383_ = _e1782;
-                                break if !(_e1794);
+                                phi_3200_ = _e1783;
+                                phi_1174_ = _e1785;
+                                phi_1177_ = _e1787;
+                                phi_1179_ = _e1789;
+                                phi_1181_ = _e1791;
+                                phi_1183_ = _e1793;
+                                phi_3386_ = _e1783;
+                                break if !(_e1795);
                             }
                         }
-                        let _e1797 = phi_3383_;
-                        if _e1797 {
+                        let _e1798 = phi_3386_;
+                        if _e1798 {
                             break;
                         }
-                        let _e1799 = local_3;
-                        if _e1799.member_1 {
+                        let _e1800 = local_2;
+                        if _e1800.member_1 {
                         } else {
                             if _e240 {
                             } else {
                                 break;
                             }
-                            let _e1803 = global_9.member[_e100];
+                            let _e1804 = global_9.member[_e100];
                             if _e101 {
                             } else {
                                 break;
                             }
-                            let _e1807 = global_8.member[_e100].member_1;
+                            let _e1808 = global_8.member[_e100].member_1;
                             if _e240 {
                             } else {
                                 break;
                             }
-                            global_9.member[_e100] = type_30(_e1803.member, _e1803.member_1, _e1803.member_2, array<f32, 3>((_e1803.member_3[0] + (_e1807[0] * _e1803.member_1[0])), (_e1803.member_3[1] + (_e1807[1] * _e1803.member_1[1])), (_e1803.member_3[2] + (_e1807[2] * _e1803.member_1[2]))), _e1803.member_4);
+                            global_9.member[_e100] = type_30(_e1804.member, _e1804.member_1, _e1804.member_2, array<f32, 3>((_e1804.member_3[0] + (_e1808[0] * _e1804.member_1[0])), (_e1804.member_3[1] + (_e1808[1] * _e1804.member_1[1])), (_e1804.member_3[2] + (_e1808[2] * _e1804.member_1[2]))), _e1804.member_4);
                         }
                     }
                 }

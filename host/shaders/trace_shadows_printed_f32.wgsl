@@ -171,27 +171,16 @@ fn function_() {
     var phi_1203_: u32;
     var phi_1211_: f32;
     var phi_1212_: f32;
-    var phi_3927_: bool;
+    var phi_3930_: bool;
     var phi_1295_: type_46;
-    var phi_1298_: bool;
-    var phi_1300_: u32;
+    var phi_1298_: u32;
+    var phi_1300_: bool;
     var phi_1302_: u32;
     var phi_1304_: type_62;
     var phi_1315_: bool;
     var phi_1401_: bool;
     var phi_1402_: u32;
     var phi_1403_: type_62;
-    var phi_2828_: type_55;
-    var phi_3714_: type_62;
-    var phi_3791_: type_62;
-    var phi_3792_: u32;
-    var phi_3793_: type_62;
-    var phi_3795_: u32;
-    var phi_3796_: type_62;
-    var phi_3797_: bool;
-    var phi_3804_: type_62;
-    var phi_3809_: bool;
-    var phi_3811_: type_62;
     var phi_1421_: type_46;
     var phi_1424_: type_8;
     var phi_1425_: type_8;
@@ -248,35 +237,47 @@ fn function_() {
     var phi_2799_: type_46;
     var phi_2800_: type_46;
     var phi_1422_: type_46;
-    var phi_3921_: bool;
-    var local_10: type_46;
+    var phi_3924_: bool;
+    var phi_4175_: bool;
+    var phi_2801_: type_46;
+    var phi_2822_: type_55;
+    var phi_3708_: type_62;
+    var phi_3784_: type_62;
+    var phi_3785_: u32;
+    var phi_3786_: type_62;
+    var phi_3788_: u32;
+    var phi_3789_: type_62;
+    var phi_3790_: bool;
+    var phi_3797_: type_62;
+    var phi_3802_: bool;
+    var phi_3804_: type_62;
+    var phi_3808_: bool;
+    var phi_3809_: u32;
+    var phi_3810_: type_62;
+    var phi_3820_: u32;
+    var phi_3821_: type_62;
+    var phi_4119_: bool;
+    var phi_3822_: type_46;
+    var phi_3823_: u32;
+    var phi_3824_: bool;
+    var phi_3825_: u32;
+    var phi_3826_: type_62;
+    var phi_4118_: bool;
+    var phi_3827_: type_46;
+    var phi_3828_: u32;
+    var phi_3829_: bool;
+    var phi_3830_: u32;
+    var phi_3831_: type_62;
     var phi_4117_: bool;
-    var phi_3815_: type_46;
-    var phi_3816_: bool;
-    var phi_3817_: u32;
-    var phi_3818_: type_62;
-    var phi_4116_: bool;
-    var phi_3819_: type_46;
-    var phi_3820_: bool;
-    var phi_3821_: u32;
-    var phi_3822_: u32;
-    var phi_3823_: type_62;
-    var phi_4115_: bool;
-    var phi_3824_: type_46;
-    var phi_3825_: bool;
-    var phi_3826_: u32;
-    var phi_3827_: u32;
-    var phi_3828_: type_62;
-    var phi_4114_: bool;
     var phi_1296_: type_46;
-    var phi_1299_: bool;
-    var phi_1301_: u32;
+    var phi_1299_: u32;
+    var phi_1301_: bool;
     var phi_1303_: u32;
     var phi_1305_: type_62;
-    var phi_3829_: bool;
-    var phi_4113_: bool;
+    var phi_3832_: bool;
+    var phi_4116_: bool;
+    var local_10: type_46;
     var local_11: type_46;
-    var local_12: type_46;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -697,31 +698,31 @@ fn function_() {
                             break;
                         }
                         let _e776 = local_8[_e765];
-                        phi_3927_ = false;
+                        phi_3930_ = false;
                         phi_1295_ = type_46(_e750, false);
-                        phi_1298_ = (_e752 <= _e750);
-                        phi_1300_ = ((3u * _e95) + 1u);
+                        phi_1298_ = ((3u * _e95) + 1u);
+                        phi_1300_ = (_e752 <= _e750);
                         phi_1302_ = 0u;
                         phi_1304_ = type_62(type_60(array<f32, 3>(_e760, _e764, _e768), array<f32, 3>(_e772, _e774, _e776)), select(0u, 2147483648u, (_e95 == 0u)));
                         loop {
-                            let _e784 = phi_3927_;
+                            let _e784 = phi_3930_;
                             let _e786 = phi_1295_;
                             let _e788 = phi_1298_;
                             let _e790 = phi_1300_;
                             let _e792 = phi_1302_;
                             let _e794 = phi_1304_;
-                            local_11 = _e786;
-                            if _e788 {
+                            local_10 = _e786;
+                            if _e790 {
                                 phi_1315_ = true;
                             } else {
                                 phi_1315_ = (_e792 > 0u);
                             }
                             let _e797 = phi_1315_;
                             if _e797 {
-                                let _e798 = (_e790 > 0u);
+                                let _e798 = (_e788 > 0u);
                                 if _e798 {
-                                    if _e788 {
-                                        phi_1401_ = _e788;
+                                    if _e790 {
+                                        phi_1401_ = _e790;
                                         phi_1402_ = _e792;
                                         phi_1403_ = _e794;
                                     } else {
@@ -730,49 +731,49 @@ fn function_() {
                                         let _e801 = (_e800 < 128u);
                                         if _e801 {
                                         } else {
-                                            phi_4113_ = true;
+                                            phi_4116_ = true;
                                             break;
                                         }
                                         let _e803 = local_6[_e800];
                                         if _e801 {
                                         } else {
-                                            phi_4113_ = true;
+                                            phi_4116_ = true;
                                             break;
                                         }
                                         let _e805 = local_5[_e800];
                                         if _e801 {
                                         } else {
-                                            phi_4113_ = true;
+                                            phi_4116_ = true;
                                             break;
                                         }
                                         let _e807 = local_4[_e800];
                                         if _e801 {
                                         } else {
-                                            phi_4113_ = true;
+                                            phi_4116_ = true;
                                             break;
                                         }
                                         let _e809 = local_3[_e800];
                                         if _e801 {
                                         } else {
-                                            phi_4113_ = true;
+                                            phi_4116_ = true;
                                             break;
                                         }
                                         let _e812 = local_2[_e800];
                                         if _e801 {
                                         } else {
-                                            phi_4113_ = true;
+                                            phi_4116_ = true;
                                             break;
                                         }
                                         let _e814 = local_1[_e800];
                                         if _e801 {
                                         } else {
-                                            phi_4113_ = true;
+                                            phi_4116_ = true;
                                             break;
                                         }
                                         let _e816 = local[_e800];
                                         if _e801 {
                                         } else {
-                                            phi_4113_ = true;
+                                            phi_4116_ = true;
                                             break;
                                         }
                                         let _e821 = local_7[_e800];
@@ -784,849 +785,860 @@ fn function_() {
                                     let _e827 = phi_1402_;
                                     let _e829 = phi_1403_;
                                     if _e825 {
-                                        if ((_e829.member_1 & 2147483648u) != 0u) {
+                                        let _e833 = ((_e829.member_1 & 2147483648u) != 0u);
+                                        if _e833 {
                                             phi_1421_ = _e786;
                                             phi_1424_ = type_8(0u, ((_e829.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1205 = phi_1421_;
-                                                let _e1207 = phi_1424_;
-                                                local_10 = _e1205;
-                                                local_12 = _e1205;
-                                                if (_e1207.member < _e1207.member_1) {
-                                                    phi_1425_ = type_8((_e1207.member + 1u), _e1207.member_1);
-                                                    phi_1447_ = type_8(1u, _e1207.member);
+                                                let _e840 = phi_1421_;
+                                                let _e842 = phi_1424_;
+                                                local_11 = _e840;
+                                                if (_e842.member < _e842.member_1) {
+                                                    phi_1425_ = type_8((_e842.member + 1u), _e842.member_1);
+                                                    phi_1447_ = type_8(1u, _e842.member);
                                                 } else {
-                                                    phi_1425_ = _e1207;
+                                                    phi_1425_ = _e842;
                                                     phi_1447_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1220 = phi_1425_;
-                                                let _e1222 = phi_1447_;
-                                                let _e1226 = (bitcast<i32>(_e1222.member) != 0i);
-                                                if _e1226 {
-                                                    let _e1227 = ((_e829.member_1 & 268435455u) + _e1222.member_1);
-                                                    let _e1228 = (_e1227 < _e97);
-                                                    if _e1228 {
-                                                        if _e1228 {
+                                                let _e855 = phi_1425_;
+                                                let _e857 = phi_1447_;
+                                                let _e861 = (bitcast<i32>(_e857.member) != 0i);
+                                                if _e861 {
+                                                    let _e862 = ((_e829.member_1 & 268435455u) + _e857.member_1);
+                                                    let _e863 = (_e862 < _e97);
+                                                    if _e863 {
+                                                        if _e863 {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
-                                                        let _e1232 = global_5.member[_e1227].member_1;
-                                                        phi_1468_ = _e1232;
+                                                        let _e867 = global_5.member[_e862].member_1;
+                                                        phi_1468_ = _e867;
                                                     } else {
                                                         phi_1468_ = 4294967295u;
                                                     }
-                                                    let _e1234 = phi_1468_;
-                                                    if (_e1227 >= _e97) {
+                                                    let _e869 = phi_1468_;
+                                                    if (_e862 >= _e97) {
                                                         phi_1560_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1228 {
+                                                        if _e863 {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
                                                         if (_e757 < 9u) {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
-                                                        let _e1241 = global_5.member[_e1227].member[_e757];
+                                                        let _e876 = global_5.member[_e862].member[_e757];
                                                         if (_e761 < 9u) {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
-                                                        let _e1247 = global_5.member[_e1227].member[_e761];
+                                                        let _e882 = global_5.member[_e862].member[_e761];
                                                         if (_e765 < 9u) {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
-                                                        let _e1253 = global_5.member[_e1227].member[_e765];
-                                                        let _e1255 = (3u + _e757);
-                                                        if (_e1255 < 9u) {
+                                                        let _e888 = global_5.member[_e862].member[_e765];
+                                                        let _e890 = (3u + _e757);
+                                                        if (_e890 < 9u) {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
-                                                        let _e1261 = global_5.member[_e1227].member[_e1255];
-                                                        let _e1262 = (3u + _e761);
-                                                        if (_e1262 < 9u) {
+                                                        let _e896 = global_5.member[_e862].member[_e890];
+                                                        let _e897 = (3u + _e761);
+                                                        if (_e897 < 9u) {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
-                                                        let _e1268 = global_5.member[_e1227].member[_e1262];
-                                                        let _e1269 = (3u + _e765);
-                                                        if (_e1269 < 9u) {
+                                                        let _e903 = global_5.member[_e862].member[_e897];
+                                                        let _e904 = (3u + _e765);
+                                                        if (_e904 < 9u) {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
-                                                        let _e1275 = global_5.member[_e1227].member[_e1269];
-                                                        let _e1277 = (6u + _e757);
-                                                        if (_e1277 < 9u) {
+                                                        let _e910 = global_5.member[_e862].member[_e904];
+                                                        let _e912 = (6u + _e757);
+                                                        if (_e912 < 9u) {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
-                                                        let _e1283 = global_5.member[_e1227].member[_e1277];
-                                                        let _e1284 = (6u + _e761);
-                                                        if (_e1284 < 9u) {
+                                                        let _e918 = global_5.member[_e862].member[_e912];
+                                                        let _e919 = (6u + _e761);
+                                                        if (_e919 < 9u) {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
-                                                        let _e1290 = global_5.member[_e1227].member[_e1284];
-                                                        let _e1291 = (6u + _e765);
-                                                        if (_e1291 < 9u) {
+                                                        let _e925 = global_5.member[_e862].member[_e919];
+                                                        let _e926 = (6u + _e765);
+                                                        if (_e926 < 9u) {
                                                         } else {
-                                                            phi_3921_ = true;
+                                                            phi_3924_ = true;
                                                             break;
                                                         }
-                                                        let _e1297 = global_5.member[_e1227].member[_e1291];
-                                                        phi_1560_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1241, _e1247, _e1253), array<f32, 3>(_e1261, _e1268, _e1275), array<f32, 3>(_e1283, _e1290, _e1297));
+                                                        let _e932 = global_5.member[_e862].member[_e926];
+                                                        phi_1560_ = array<array<f32, 3>, 3>(array<f32, 3>(_e876, _e882, _e888), array<f32, 3>(_e896, _e903, _e910), array<f32, 3>(_e918, _e925, _e932));
                                                     }
-                                                    let _e1301 = phi_1560_;
-                                                    let _e1309 = (_e1301[0][2] - _e599);
-                                                    let _e1312 = (((_e1301[0][0] - _e466) * _e638) - (_e1309 * _e506));
-                                                    let _e1315 = (((_e1301[0][1] - _e533) * _e638) - (_e1309 * _e572));
-                                                    let _e1322 = (_e1301[1][2] - _e599);
-                                                    let _e1325 = (((_e1301[1][0] - _e466) * _e638) - (_e1322 * _e506));
-                                                    let _e1328 = (((_e1301[1][1] - _e533) * _e638) - (_e1322 * _e572));
-                                                    let _e1335 = (_e1301[2][2] - _e599);
-                                                    let _e1338 = (((_e1301[2][0] - _e466) * _e638) - (_e1335 * _e506));
-                                                    let _e1341 = (((_e1301[2][1] - _e533) * _e638) - (_e1335 * _e572));
-                                                    let _e1342 = (_e1338 * _e1328);
-                                                    let _e1343 = (_e1341 * _e1325);
-                                                    let _e1344 = (_e1312 * _e1341);
-                                                    let _e1345 = (_e1315 * _e1338);
-                                                    let _e1346 = (_e1325 * _e1315);
-                                                    let _e1347 = (_e1328 * _e1312);
-                                                    let _e1352 = (((_e1342 >= _e1343) && (_e1344 >= _e1345)) && (_e1346 >= _e1347));
-                                                    if (_e1352 || (((_e1342 <= _e1343) && (_e1344 <= _e1345)) && (_e1346 <= _e1347))) {
-                                                        let _e1359 = select(-1f, 1f, _e1352);
-                                                        let _e1361 = ((_e1342 - _e1343) * _e1359);
-                                                        let _e1363 = select(0f, _e1361, (_e1361 > 0f));
-                                                        let _e1365 = ((_e1344 - _e1345) * _e1359);
-                                                        let _e1367 = select(0f, _e1365, (_e1365 > 0f));
-                                                        let _e1369 = ((_e1346 - _e1347) * _e1359);
-                                                        let _e1371 = select(0f, _e1369, (_e1369 > 0f));
-                                                        let _e1373 = ((_e1363 + _e1367) + _e1371);
-                                                        if (_e1373 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e936 = phi_1560_;
+                                                    let _e944 = (_e936[0][2] - _e599);
+                                                    let _e947 = (((_e936[0][0] - _e466) * _e638) - (_e944 * _e506));
+                                                    let _e950 = (((_e936[0][1] - _e533) * _e638) - (_e944 * _e572));
+                                                    let _e957 = (_e936[1][2] - _e599);
+                                                    let _e960 = (((_e936[1][0] - _e466) * _e638) - (_e957 * _e506));
+                                                    let _e963 = (((_e936[1][1] - _e533) * _e638) - (_e957 * _e572));
+                                                    let _e970 = (_e936[2][2] - _e599);
+                                                    let _e973 = (((_e936[2][0] - _e466) * _e638) - (_e970 * _e506));
+                                                    let _e976 = (((_e936[2][1] - _e533) * _e638) - (_e970 * _e572));
+                                                    let _e977 = (_e973 * _e963);
+                                                    let _e978 = (_e976 * _e960);
+                                                    let _e979 = (_e947 * _e976);
+                                                    let _e980 = (_e950 * _e973);
+                                                    let _e981 = (_e960 * _e950);
+                                                    let _e982 = (_e963 * _e947);
+                                                    let _e987 = (((_e977 >= _e978) && (_e979 >= _e980)) && (_e981 >= _e982));
+                                                    if (_e987 || (((_e977 <= _e978) && (_e979 <= _e980)) && (_e981 <= _e982))) {
+                                                        let _e994 = select(-1f, 1f, _e987);
+                                                        let _e996 = ((_e977 - _e978) * _e994);
+                                                        let _e998 = select(0f, _e996, (_e996 > 0f));
+                                                        let _e1000 = ((_e979 - _e980) * _e994);
+                                                        let _e1002 = select(0f, _e1000, (_e1000 > 0f));
+                                                        let _e1004 = ((_e981 - _e982) * _e994);
+                                                        let _e1006 = select(0f, _e1004, (_e1004 > 0f));
+                                                        let _e1008 = ((_e998 + _e1002) + _e1006);
+                                                        if (_e1008 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2444_ = type_27();
                                                             phi_2445_ = true;
                                                             phi_2446_ = false;
                                                         } else {
-                                                            let _e1376 = select(_e1325, _e1312, (_e1312 < _e1325));
-                                                            if (select(_e1338, _e1376, (_e1376 < _e1338)) > 0f) {
+                                                            let _e1011 = select(_e960, _e947, (_e947 < _e960));
+                                                            if (select(_e973, _e1011, (_e1011 < _e973)) > 0f) {
                                                                 phi_1712_ = true;
                                                             } else {
-                                                                let _e1381 = select(_e1325, _e1312, (_e1312 > _e1325));
-                                                                phi_1712_ = (select(_e1338, _e1381, (_e1381 > _e1338)) < 0f);
+                                                                let _e1016 = select(_e960, _e947, (_e947 > _e960));
+                                                                phi_1712_ = (select(_e973, _e1016, (_e1016 > _e973)) < 0f);
                                                             }
-                                                            let _e1386 = phi_1712_;
-                                                            if _e1386 {
+                                                            let _e1021 = phi_1712_;
+                                                            if _e1021 {
                                                                 phi_2441_ = type_27();
                                                                 phi_2442_ = true;
                                                                 phi_2443_ = false;
                                                             } else {
-                                                                let _e1388 = select(_e1328, _e1315, (_e1315 < _e1328));
-                                                                if (select(_e1341, _e1388, (_e1388 < _e1341)) > 0f) {
+                                                                let _e1023 = select(_e963, _e950, (_e950 < _e963));
+                                                                if (select(_e976, _e1023, (_e1023 < _e976)) > 0f) {
                                                                     phi_1741_ = true;
                                                                 } else {
-                                                                    let _e1393 = select(_e1328, _e1315, (_e1315 > _e1328));
-                                                                    phi_1741_ = (select(_e1341, _e1393, (_e1393 > _e1341)) < 0f);
+                                                                    let _e1028 = select(_e963, _e950, (_e950 > _e963));
+                                                                    phi_1741_ = (select(_e976, _e1028, (_e1028 > _e976)) < 0f);
                                                                 }
-                                                                let _e1398 = phi_1741_;
-                                                                if _e1398 {
+                                                                let _e1033 = phi_1741_;
+                                                                if _e1033 {
                                                                     phi_2439_ = type_27();
                                                                     phi_2440_ = false;
                                                                 } else {
-                                                                    let _e1400 = select(_e1301[1][0], _e1301[0][0], (_e1301[0][0] < _e1301[1][0]));
-                                                                    let _e1404 = select(_e1301[1][0], _e1301[0][0], (_e1301[0][0] > _e1301[1][0]));
-                                                                    let _e1408 = select(_e1301[1][1], _e1301[0][1], (_e1301[0][1] < _e1301[1][1]));
-                                                                    let _e1412 = select(_e1301[1][1], _e1301[0][1], (_e1301[0][1] > _e1301[1][1]));
-                                                                    let _e1416 = select(_e1301[1][2], _e1301[0][2], (_e1301[0][2] < _e1301[1][2]));
-                                                                    let _e1420 = select(_e1301[1][2], _e1301[0][2], (_e1301[0][2] > _e1301[1][2]));
-                                                                    let _e1425 = ((select(_e1301[2][0], _e1400, (_e1400 < _e1301[2][0])) - _e504) * _e509);
-                                                                    let _e1426 = ((select(_e1301[2][0], _e1404, (_e1404 > _e1301[2][0])) - _e505) * _e509);
-                                                                    let _e1429 = ((select(_e1301[2][1], _e1408, (_e1408 < _e1301[2][1])) - _e570) * _e575);
-                                                                    let _e1430 = ((select(_e1301[2][1], _e1412, (_e1412 > _e1301[2][1])) - _e571) * _e575);
-                                                                    let _e1433 = ((select(_e1301[2][2], _e1416, (_e1416 < _e1301[2][2])) - _e636) * _e641);
-                                                                    let _e1434 = ((select(_e1301[2][2], _e1420, (_e1420 > _e1301[2][2])) - _e637) * _e641);
-                                                                    let _e1436 = select(_e1434, _e1433, (_e1433 < _e1434));
-                                                                    let _e1438 = select(_e1434, _e1433, (_e1433 > _e1434));
-                                                                    let _e1440 = select(_e1426, _e1425, (_e1425 < _e1426));
-                                                                    let _e1442 = select(_e1430, _e1429, (_e1429 < _e1430));
-                                                                    let _e1444 = select(_e1442, _e1440, (_e1440 > _e1442));
-                                                                    let _e1446 = select(_e1436, _e1444, (_e1444 > _e1436));
-                                                                    let _e1448 = select(_e1426, _e1425, (_e1425 > _e1426));
-                                                                    let _e1450 = select(_e1430, _e1429, (_e1429 > _e1430));
-                                                                    let _e1452 = select(_e1450, _e1448, (_e1448 < _e1450));
-                                                                    let _e1454 = select(_e1438, _e1452, (_e1452 < _e1438));
-                                                                    let _e1455 = -(_e1436);
-                                                                    let _e1461 = select(_e752, _e1446, (_e1446 > _e752));
-                                                                    if (_e1461 > (_e1454 + (select(_e1455, _e1438, (_e1438 > _e1455)) * 0.0000019073523f))) {
+                                                                    let _e1035 = select(_e936[1][0], _e936[0][0], (_e936[0][0] < _e936[1][0]));
+                                                                    let _e1039 = select(_e936[1][0], _e936[0][0], (_e936[0][0] > _e936[1][0]));
+                                                                    let _e1043 = select(_e936[1][1], _e936[0][1], (_e936[0][1] < _e936[1][1]));
+                                                                    let _e1047 = select(_e936[1][1], _e936[0][1], (_e936[0][1] > _e936[1][1]));
+                                                                    let _e1051 = select(_e936[1][2], _e936[0][2], (_e936[0][2] < _e936[1][2]));
+                                                                    let _e1055 = select(_e936[1][2], _e936[0][2], (_e936[0][2] > _e936[1][2]));
+                                                                    let _e1060 = ((select(_e936[2][0], _e1035, (_e1035 < _e936[2][0])) - _e504) * _e509);
+                                                                    let _e1061 = ((select(_e936[2][0], _e1039, (_e1039 > _e936[2][0])) - _e505) * _e509);
+                                                                    let _e1064 = ((select(_e936[2][1], _e1043, (_e1043 < _e936[2][1])) - _e570) * _e575);
+                                                                    let _e1065 = ((select(_e936[2][1], _e1047, (_e1047 > _e936[2][1])) - _e571) * _e575);
+                                                                    let _e1068 = ((select(_e936[2][2], _e1051, (_e1051 < _e936[2][2])) - _e636) * _e641);
+                                                                    let _e1069 = ((select(_e936[2][2], _e1055, (_e1055 > _e936[2][2])) - _e637) * _e641);
+                                                                    let _e1071 = select(_e1069, _e1068, (_e1068 < _e1069));
+                                                                    let _e1073 = select(_e1069, _e1068, (_e1068 > _e1069));
+                                                                    let _e1075 = select(_e1061, _e1060, (_e1060 < _e1061));
+                                                                    let _e1077 = select(_e1065, _e1064, (_e1064 < _e1065));
+                                                                    let _e1079 = select(_e1077, _e1075, (_e1075 > _e1077));
+                                                                    let _e1081 = select(_e1071, _e1079, (_e1079 > _e1071));
+                                                                    let _e1083 = select(_e1061, _e1060, (_e1060 > _e1061));
+                                                                    let _e1085 = select(_e1065, _e1064, (_e1064 > _e1065));
+                                                                    let _e1087 = select(_e1085, _e1083, (_e1083 < _e1085));
+                                                                    let _e1089 = select(_e1073, _e1087, (_e1087 < _e1073));
+                                                                    let _e1090 = -(_e1071);
+                                                                    let _e1096 = select(_e752, _e1081, (_e1081 > _e752));
+                                                                    if (_e1096 > (_e1089 + (select(_e1090, _e1073, (_e1073 > _e1090)) * 0.0000019073523f))) {
                                                                         phi_2434_ = type_27();
                                                                         phi_2435_ = true;
                                                                     } else {
-                                                                        let _e1463 = (_e1461 > _e1205.member);
-                                                                        if _e1463 {
+                                                                        let _e1098 = (_e1096 > _e840.member);
+                                                                        if _e1098 {
                                                                             phi_2433_ = type_27();
                                                                         } else {
-                                                                            let _e1464 = vec3<f32>(_e1301[0][0], _e1301[0][1], _e1301[0][2]);
-                                                                            let _e1465 = vec3<f32>(_e1301[1][0], _e1301[1][1], _e1301[1][2]);
-                                                                            let _e1466 = vec3<f32>(_e1301[2][0], _e1301[2][1], _e1301[2][2]);
-                                                                            let _e1467 = (_e1301[1][0] - _e1301[0][0]);
-                                                                            let _e1468 = (_e1301[1][1] - _e1301[0][1]);
-                                                                            let _e1469 = (_e1301[1][2] - _e1301[0][2]);
-                                                                            let _e1470 = vec3<f32>(_e1467, _e1468, _e1469);
-                                                                            let _e1471 = (_e1301[2][0] - _e1301[1][0]);
-                                                                            let _e1472 = (_e1301[2][1] - _e1301[1][1]);
-                                                                            let _e1473 = (_e1301[2][2] - _e1301[1][2]);
-                                                                            let _e1474 = vec3<f32>(_e1471, _e1472, _e1473);
-                                                                            let _e1475 = (_e1301[0][0] - _e1301[2][0]);
-                                                                            let _e1476 = (_e1301[0][1] - _e1301[2][1]);
-                                                                            let _e1477 = (_e1301[0][2] - _e1301[2][2]);
-                                                                            let _e1478 = vec3<f32>(_e1475, _e1476, _e1477);
-                                                                            let _e1481 = bitcast<f32>((bitcast<u32>(_e1467) & 2147483647u));
-                                                                            let _e1484 = bitcast<f32>((bitcast<u32>(_e1468) & 2147483647u));
-                                                                            let _e1486 = select(_e1484, _e1481, (_e1481 > _e1484));
-                                                                            let _e1489 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
-                                                                            let _e1491 = select(_e1489, _e1486, (_e1486 > _e1489));
-                                                                            let _e1494 = bitcast<f32>((bitcast<u32>(_e1471) & 2147483647u));
-                                                                            let _e1497 = bitcast<f32>((bitcast<u32>(_e1472) & 2147483647u));
-                                                                            let _e1499 = select(_e1497, _e1494, (_e1494 > _e1497));
-                                                                            let _e1502 = bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u));
-                                                                            let _e1504 = select(_e1502, _e1499, (_e1499 > _e1502));
-                                                                            let _e1507 = bitcast<f32>((bitcast<u32>(_e1475) & 2147483647u));
-                                                                            let _e1510 = bitcast<f32>((bitcast<u32>(_e1476) & 2147483647u));
-                                                                            let _e1512 = select(_e1510, _e1507, (_e1507 > _e1510));
-                                                                            let _e1515 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
-                                                                            let _e1517 = select(_e1515, _e1512, (_e1512 > _e1515));
-                                                                            let _e1519 = select(_e1504, _e1491, (_e1491 > _e1504));
-                                                                            let _e1521 = select(_e1517, _e1519, (_e1519 > _e1517));
-                                                                            if (_e1491 == _e1521) {
-                                                                                phi_2160_ = _e1328;
-                                                                                phi_2161_ = _e1325;
-                                                                                phi_2162_ = _e1315;
-                                                                                phi_2163_ = _e1312;
-                                                                                phi_2164_ = _e1464;
-                                                                                phi_2165_ = _e1478;
-                                                                                phi_2166_ = _e1474;
-                                                                                phi_2167_ = _e1470;
+                                                                            let _e1099 = vec3<f32>(_e936[0][0], _e936[0][1], _e936[0][2]);
+                                                                            let _e1100 = vec3<f32>(_e936[1][0], _e936[1][1], _e936[1][2]);
+                                                                            let _e1101 = vec3<f32>(_e936[2][0], _e936[2][1], _e936[2][2]);
+                                                                            let _e1102 = (_e936[1][0] - _e936[0][0]);
+                                                                            let _e1103 = (_e936[1][1] - _e936[0][1]);
+                                                                            let _e1104 = (_e936[1][2] - _e936[0][2]);
+                                                                            let _e1105 = vec3<f32>(_e1102, _e1103, _e1104);
+                                                                            let _e1106 = (_e936[2][0] - _e936[1][0]);
+                                                                            let _e1107 = (_e936[2][1] - _e936[1][1]);
+                                                                            let _e1108 = (_e936[2][2] - _e936[1][2]);
+                                                                            let _e1109 = vec3<f32>(_e1106, _e1107, _e1108);
+                                                                            let _e1110 = (_e936[0][0] - _e936[2][0]);
+                                                                            let _e1111 = (_e936[0][1] - _e936[2][1]);
+                                                                            let _e1112 = (_e936[0][2] - _e936[2][2]);
+                                                                            let _e1113 = vec3<f32>(_e1110, _e1111, _e1112);
+                                                                            let _e1116 = bitcast<f32>((bitcast<u32>(_e1102) & 2147483647u));
+                                                                            let _e1119 = bitcast<f32>((bitcast<u32>(_e1103) & 2147483647u));
+                                                                            let _e1121 = select(_e1119, _e1116, (_e1116 > _e1119));
+                                                                            let _e1124 = bitcast<f32>((bitcast<u32>(_e1104) & 2147483647u));
+                                                                            let _e1126 = select(_e1124, _e1121, (_e1121 > _e1124));
+                                                                            let _e1129 = bitcast<f32>((bitcast<u32>(_e1106) & 2147483647u));
+                                                                            let _e1132 = bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u));
+                                                                            let _e1134 = select(_e1132, _e1129, (_e1129 > _e1132));
+                                                                            let _e1137 = bitcast<f32>((bitcast<u32>(_e1108) & 2147483647u));
+                                                                            let _e1139 = select(_e1137, _e1134, (_e1134 > _e1137));
+                                                                            let _e1142 = bitcast<f32>((bitcast<u32>(_e1110) & 2147483647u));
+                                                                            let _e1145 = bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u));
+                                                                            let _e1147 = select(_e1145, _e1142, (_e1142 > _e1145));
+                                                                            let _e1150 = bitcast<f32>((bitcast<u32>(_e1112) & 2147483647u));
+                                                                            let _e1152 = select(_e1150, _e1147, (_e1147 > _e1150));
+                                                                            let _e1154 = select(_e1139, _e1126, (_e1126 > _e1139));
+                                                                            let _e1156 = select(_e1152, _e1154, (_e1154 > _e1152));
+                                                                            if (_e1126 == _e1156) {
+                                                                                phi_2160_ = _e963;
+                                                                                phi_2161_ = _e960;
+                                                                                phi_2162_ = _e950;
+                                                                                phi_2163_ = _e947;
+                                                                                phi_2164_ = _e1099;
+                                                                                phi_2165_ = _e1113;
+                                                                                phi_2166_ = _e1109;
+                                                                                phi_2167_ = _e1105;
                                                                             } else {
-                                                                                let _e1523 = (_e1504 == _e1521);
-                                                                                let _e1528 = vec3(_e1523);
-                                                                                phi_2160_ = select(_e1315, _e1341, _e1523);
-                                                                                phi_2161_ = select(_e1312, _e1338, _e1523);
-                                                                                phi_2162_ = select(_e1341, _e1328, _e1523);
-                                                                                phi_2163_ = select(_e1338, _e1325, _e1523);
-                                                                                phi_2164_ = select(_e1466, _e1465, _e1528);
-                                                                                phi_2165_ = select(_e1474, _e1470, _e1528);
-                                                                                phi_2166_ = select(_e1470, _e1478, _e1528);
-                                                                                phi_2167_ = select(_e1478, _e1474, _e1528);
+                                                                                let _e1158 = (_e1139 == _e1156);
+                                                                                let _e1163 = vec3(_e1158);
+                                                                                phi_2160_ = select(_e950, _e976, _e1158);
+                                                                                phi_2161_ = select(_e947, _e973, _e1158);
+                                                                                phi_2162_ = select(_e976, _e963, _e1158);
+                                                                                phi_2163_ = select(_e973, _e960, _e1158);
+                                                                                phi_2164_ = select(_e1101, _e1100, _e1163);
+                                                                                phi_2165_ = select(_e1109, _e1105, _e1163);
+                                                                                phi_2166_ = select(_e1105, _e1113, _e1163);
+                                                                                phi_2167_ = select(_e1113, _e1109, _e1163);
                                                                             }
-                                                                            let _e1534 = phi_2160_;
-                                                                            let _e1536 = phi_2161_;
-                                                                            let _e1538 = phi_2162_;
-                                                                            let _e1540 = phi_2163_;
-                                                                            let _e1542 = phi_2164_;
-                                                                            let _e1544 = phi_2165_;
-                                                                            let _e1546 = phi_2166_;
-                                                                            let _e1548 = phi_2167_;
-                                                                            let _e1555 = ((_e1546.y * _e1544.z) - (_e1544.y * _e1546.z));
-                                                                            let _e1560 = ((_e1546.z * _e1544.x) - (_e1544.z * _e1546.x));
-                                                                            let _e1563 = ((_e1546.x * _e1544.y) - (_e1544.x * _e1546.y));
-                                                                            if (_e1363 >= _e1367) {
-                                                                                phi_2204_ = select(true, false, (_e1363 >= _e1371));
+                                                                            let _e1169 = phi_2160_;
+                                                                            let _e1171 = phi_2161_;
+                                                                            let _e1173 = phi_2162_;
+                                                                            let _e1175 = phi_2163_;
+                                                                            let _e1177 = phi_2164_;
+                                                                            let _e1179 = phi_2165_;
+                                                                            let _e1181 = phi_2166_;
+                                                                            let _e1183 = phi_2167_;
+                                                                            let _e1190 = ((_e1181.y * _e1179.z) - (_e1179.y * _e1181.z));
+                                                                            let _e1195 = ((_e1181.z * _e1179.x) - (_e1179.z * _e1181.x));
+                                                                            let _e1198 = ((_e1181.x * _e1179.y) - (_e1179.x * _e1181.y));
+                                                                            if (_e998 >= _e1002) {
+                                                                                phi_2204_ = select(true, false, (_e998 >= _e1006));
                                                                             } else {
                                                                                 phi_2204_ = true;
                                                                             }
-                                                                            let _e1568 = phi_2204_;
-                                                                            if _e1568 {
-                                                                                phi_2213_ = select(_e1466, _e1465, vec3((_e1367 >= _e1371)));
+                                                                            let _e1203 = phi_2204_;
+                                                                            if _e1203 {
+                                                                                phi_2213_ = select(_e1101, _e1100, vec3((_e1002 >= _e1006)));
                                                                             } else {
-                                                                                phi_2213_ = _e1464;
+                                                                                phi_2213_ = _e1099;
                                                                             }
-                                                                            let _e1573 = phi_2213_;
-                                                                            let _e1584 = (((_e1555 * (_e1573.x - _e466)) + (_e1560 * (_e1573.y - _e533))) + (_e1563 * (_e1573.z - _e599)));
-                                                                            let _e1589 = (((_e1555 * _e506) + (_e1560 * _e572)) + (_e1563 * _e638));
-                                                                            let _e1590 = (_e1536 - _e1540);
-                                                                            let _e1591 = (_e1534 - _e1538);
-                                                                            let _e1599 = (-(((_e1540 * _e1590) + (_e1538 * _e1591))) / ((_e1590 * _e1590) + (_e1591 * _e1591)));
-                                                                            let _e1601 = select(1f, _e1599, (_e1599 < 1f));
-                                                                            let _e1603 = select(0f, _e1601, (_e1601 > 0f));
-                                                                            let _e1616 = ((_e1542.x + (_e1548.x * _e1603)) - _e466);
-                                                                            let _e1617 = ((_e1542.y + (_e1548.y * _e1603)) - _e533);
-                                                                            let _e1618 = ((_e1542.z + (_e1548.z * _e1603)) - _e599);
-                                                                            let _e1619 = (_e1618 / _e638);
-                                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1616) & 2147483647u));
-                                                                            let _e1634 = bitcast<f32>((bitcast<u32>(_e1617) & 2147483647u));
-                                                                            let _e1636 = select(_e1634, _e1631, (_e1631 > _e1634));
-                                                                            let _e1639 = bitcast<f32>((bitcast<u32>(_e1618) & 2147483647u));
-                                                                            let _e1641 = select(_e1639, _e1636, (_e1636 > _e1639));
-                                                                            let _e1647 = bitcast<f32>((bitcast<u32>(_e1555) & 2147483647u));
-                                                                            let _e1650 = bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u));
-                                                                            let _e1652 = select(_e1650, _e1647, (_e1647 > _e1650));
-                                                                            let _e1655 = bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1555 * _e1616) + (_e1560 * _e1617)) + (_e1563 * _e1618)) - _e1584)) & 2147483647u)) <= ((0.0000009536743f * select(_e1521, _e1641, (_e1641 > _e1521))) * select(_e1655, _e1652, (_e1652 > _e1655)))) {
-                                                                                let _e1665 = bitcast<f32>((bitcast<u32>(_e1546.x) & 2147483647u));
-                                                                                let _e1668 = bitcast<f32>((bitcast<u32>(_e1546.y) & 2147483647u));
-                                                                                let _e1670 = select(_e1668, _e1665, (_e1665 > _e1668));
-                                                                                let _e1673 = bitcast<f32>((bitcast<u32>(_e1546.z) & 2147483647u));
-                                                                                let _e1679 = bitcast<f32>((bitcast<u32>(_e1544.x) & 2147483647u));
-                                                                                let _e1682 = bitcast<f32>((bitcast<u32>(_e1544.y) & 2147483647u));
-                                                                                let _e1684 = select(_e1682, _e1679, (_e1679 > _e1682));
-                                                                                let _e1687 = bitcast<f32>((bitcast<u32>(_e1544.z) & 2147483647u));
-                                                                                let _e1691 = (bitcast<f32>((bitcast<u32>(_e1589) & 2147483647u)) > ((0.0000038146973f * select(_e1673, _e1670, (_e1670 > _e1673))) * select(_e1687, _e1684, (_e1684 > _e1687))));
-                                                                                if _e1691 {
-                                                                                    phi_2378_ = (_e1584 / _e1589);
+                                                                            let _e1208 = phi_2213_;
+                                                                            let _e1219 = (((_e1190 * (_e1208.x - _e466)) + (_e1195 * (_e1208.y - _e533))) + (_e1198 * (_e1208.z - _e599)));
+                                                                            let _e1224 = (((_e1190 * _e506) + (_e1195 * _e572)) + (_e1198 * _e638));
+                                                                            let _e1225 = (_e1171 - _e1175);
+                                                                            let _e1226 = (_e1169 - _e1173);
+                                                                            let _e1234 = (-(((_e1175 * _e1225) + (_e1173 * _e1226))) / ((_e1225 * _e1225) + (_e1226 * _e1226)));
+                                                                            let _e1236 = select(1f, _e1234, (_e1234 < 1f));
+                                                                            let _e1238 = select(0f, _e1236, (_e1236 > 0f));
+                                                                            let _e1251 = ((_e1177.x + (_e1183.x * _e1238)) - _e466);
+                                                                            let _e1252 = ((_e1177.y + (_e1183.y * _e1238)) - _e533);
+                                                                            let _e1253 = ((_e1177.z + (_e1183.z * _e1238)) - _e599);
+                                                                            let _e1254 = (_e1253 / _e638);
+                                                                            let _e1266 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
+                                                                            let _e1269 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
+                                                                            let _e1271 = select(_e1269, _e1266, (_e1266 > _e1269));
+                                                                            let _e1274 = bitcast<f32>((bitcast<u32>(_e1253) & 2147483647u));
+                                                                            let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
+                                                                            let _e1282 = bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u));
+                                                                            let _e1285 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
+                                                                            let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
+                                                                            let _e1290 = bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1190 * _e1251) + (_e1195 * _e1252)) + (_e1198 * _e1253)) - _e1219)) & 2147483647u)) <= ((0.0000009536743f * select(_e1156, _e1276, (_e1276 > _e1156))) * select(_e1290, _e1287, (_e1287 > _e1290)))) {
+                                                                                let _e1300 = bitcast<f32>((bitcast<u32>(_e1181.x) & 2147483647u));
+                                                                                let _e1303 = bitcast<f32>((bitcast<u32>(_e1181.y) & 2147483647u));
+                                                                                let _e1305 = select(_e1303, _e1300, (_e1300 > _e1303));
+                                                                                let _e1308 = bitcast<f32>((bitcast<u32>(_e1181.z) & 2147483647u));
+                                                                                let _e1314 = bitcast<f32>((bitcast<u32>(_e1179.x) & 2147483647u));
+                                                                                let _e1317 = bitcast<f32>((bitcast<u32>(_e1179.y) & 2147483647u));
+                                                                                let _e1319 = select(_e1317, _e1314, (_e1314 > _e1317));
+                                                                                let _e1322 = bitcast<f32>((bitcast<u32>(_e1179.z) & 2147483647u));
+                                                                                let _e1326 = (bitcast<f32>((bitcast<u32>(_e1224) & 2147483647u)) > ((0.0000038146973f * select(_e1308, _e1305, (_e1305 > _e1308))) * select(_e1322, _e1319, (_e1319 > _e1322))));
+                                                                                if _e1326 {
+                                                                                    phi_2378_ = (_e1219 / _e1224);
                                                                                 } else {
                                                                                     phi_2378_ = f32();
                                                                                 }
-                                                                                let _e1694 = phi_2378_;
-                                                                                phi_2380_ = _e1694;
-                                                                                phi_2381_ = select(true, false, _e1691);
+                                                                                let _e1329 = phi_2378_;
+                                                                                phi_2380_ = _e1329;
+                                                                                phi_2381_ = select(true, false, _e1326);
                                                                             } else {
                                                                                 phi_2380_ = f32();
                                                                                 phi_2381_ = true;
                                                                             }
-                                                                            let _e1697 = phi_2380_;
-                                                                            let _e1699 = phi_2381_;
-                                                                            if _e1699 {
-                                                                                let _e1707 = (((_e1555 * (_e1616 - (_e506 * _e1619))) + (_e1560 * (_e1617 - (_e572 * _e1619)))) / _e1589);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1707) & 2147483647u)) <= _e1521) {
-                                                                                    phi_2401_ = (_e1619 + _e1707);
+                                                                            let _e1332 = phi_2380_;
+                                                                            let _e1334 = phi_2381_;
+                                                                            if _e1334 {
+                                                                                let _e1342 = (((_e1190 * (_e1251 - (_e506 * _e1254))) + (_e1195 * (_e1252 - (_e572 * _e1254)))) / _e1224);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u)) <= _e1156) {
+                                                                                    phi_2401_ = (_e1254 + _e1342);
                                                                                 } else {
-                                                                                    phi_2401_ = _e1619;
+                                                                                    phi_2401_ = _e1254;
                                                                                 }
-                                                                                let _e1714 = phi_2401_;
-                                                                                phi_2402_ = _e1714;
+                                                                                let _e1349 = phi_2401_;
+                                                                                phi_2402_ = _e1349;
                                                                             } else {
-                                                                                phi_2402_ = _e1697;
+                                                                                phi_2402_ = _e1332;
                                                                             }
-                                                                            let _e1716 = phi_2402_;
-                                                                            let _e1718 = select(_e1454, _e1716, (_e1716 < _e1454));
-                                                                            let _e1720 = select(_e1446, _e1718, (_e1718 > _e1446));
-                                                                            if (_e1720 >= _e752) {
-                                                                                let _e1722 = (_e1720 <= _e1205.member);
-                                                                                if _e1722 {
-                                                                                    let _e1723 = (1f / _e1373);
-                                                                                    phi_2425_ = type_27(_e1720, (_e1367 * _e1723), (_e1371 * _e1723), _e1234);
+                                                                            let _e1351 = phi_2402_;
+                                                                            let _e1353 = select(_e1089, _e1351, (_e1351 < _e1089));
+                                                                            let _e1355 = select(_e1081, _e1353, (_e1353 > _e1081));
+                                                                            if (_e1355 >= _e752) {
+                                                                                let _e1357 = (_e1355 <= _e840.member);
+                                                                                if _e1357 {
+                                                                                    let _e1358 = (1f / _e1008);
+                                                                                    phi_2425_ = type_27(_e1355, (_e1002 * _e1358), (_e1006 * _e1358), _e869);
                                                                                 } else {
                                                                                     phi_2425_ = type_27();
                                                                                 }
-                                                                                let _e1728 = phi_2425_;
-                                                                                phi_2427_ = _e1728;
-                                                                                phi_2428_ = select(true, false, _e1722);
+                                                                                let _e1363 = phi_2425_;
+                                                                                phi_2427_ = _e1363;
+                                                                                phi_2428_ = select(true, false, _e1357);
                                                                             } else {
                                                                                 phi_2427_ = type_27();
                                                                                 phi_2428_ = true;
                                                                             }
-                                                                            let _e1731 = phi_2427_;
-                                                                            let _e1733 = phi_2428_;
-                                                                            if _e1733 {
+                                                                            let _e1366 = phi_2427_;
+                                                                            let _e1368 = phi_2428_;
+                                                                            if _e1368 {
                                                                                 phi_2432_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2432_ = _e1731;
+                                                                                phi_2432_ = _e1366;
                                                                             }
-                                                                            let _e1735 = phi_2432_;
-                                                                            phi_2433_ = _e1735;
+                                                                            let _e1370 = phi_2432_;
+                                                                            phi_2433_ = _e1370;
                                                                         }
-                                                                        let _e1737 = phi_2433_;
-                                                                        phi_2434_ = _e1737;
-                                                                        phi_2435_ = _e1463;
+                                                                        let _e1372 = phi_2433_;
+                                                                        phi_2434_ = _e1372;
+                                                                        phi_2435_ = _e1098;
                                                                     }
-                                                                    let _e1739 = phi_2434_;
-                                                                    let _e1741 = phi_2435_;
-                                                                    phi_2439_ = _e1739;
-                                                                    phi_2440_ = _e1741;
+                                                                    let _e1374 = phi_2434_;
+                                                                    let _e1376 = phi_2435_;
+                                                                    phi_2439_ = _e1374;
+                                                                    phi_2440_ = _e1376;
                                                                 }
-                                                                let _e1743 = phi_2439_;
-                                                                let _e1745 = phi_2440_;
-                                                                phi_2441_ = _e1743;
-                                                                phi_2442_ = _e1398;
-                                                                phi_2443_ = _e1745;
+                                                                let _e1378 = phi_2439_;
+                                                                let _e1380 = phi_2440_;
+                                                                phi_2441_ = _e1378;
+                                                                phi_2442_ = _e1033;
+                                                                phi_2443_ = _e1380;
                                                             }
-                                                            let _e1747 = phi_2441_;
-                                                            let _e1749 = phi_2442_;
-                                                            let _e1751 = phi_2443_;
-                                                            phi_2444_ = _e1747;
-                                                            phi_2445_ = _e1749;
-                                                            phi_2446_ = _e1751;
+                                                            let _e1382 = phi_2441_;
+                                                            let _e1384 = phi_2442_;
+                                                            let _e1386 = phi_2443_;
+                                                            phi_2444_ = _e1382;
+                                                            phi_2445_ = _e1384;
+                                                            phi_2446_ = _e1386;
                                                         }
-                                                        let _e1753 = phi_2444_;
-                                                        let _e1755 = phi_2445_;
-                                                        let _e1757 = phi_2446_;
-                                                        phi_2454_ = _e1753;
-                                                        phi_2455_ = select(_e1757, true, _e1755);
+                                                        let _e1388 = phi_2444_;
+                                                        let _e1390 = phi_2445_;
+                                                        let _e1392 = phi_2446_;
+                                                        phi_2454_ = _e1388;
+                                                        phi_2455_ = select(_e1392, true, _e1390);
                                                     } else {
                                                         phi_2454_ = type_27();
                                                         phi_2455_ = true;
                                                     }
-                                                    let _e1760 = phi_2454_;
-                                                    let _e1762 = phi_2455_;
-                                                    if _e1762 {
+                                                    let _e1395 = phi_2454_;
+                                                    let _e1397 = phi_2455_;
+                                                    if _e1397 {
                                                         phi_2459_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2459_ = _e1760;
+                                                        phi_2459_ = _e1395;
                                                     }
-                                                    let _e1764 = phi_2459_;
-                                                    if (_e1764.member_3 != 4294967295u) {
-                                                        if (_e1234 == _e154) {
+                                                    let _e1399 = phi_2459_;
+                                                    if (_e1399.member_3 != 4294967295u) {
+                                                        if (_e869 == _e154) {
                                                             phi_2794_ = false;
                                                         } else {
-                                                            let _e1768 = (_e1234 < arrayLength((&global_6.member)));
-                                                            if _e1768 {
-                                                                if _e1768 {
+                                                            let _e1403 = (_e869 < arrayLength((&global_6.member)));
+                                                            if _e1403 {
+                                                                if _e1403 {
                                                                 } else {
-                                                                    phi_3921_ = true;
+                                                                    phi_3924_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1770 = global_6.member[_e1234];
-                                                                phi_2482_ = _e1770;
+                                                                let _e1405 = global_6.member[_e869];
+                                                                phi_2482_ = _e1405;
                                                             } else {
                                                                 phi_2482_ = 4294967295u;
                                                             }
-                                                            let _e1772 = phi_2482_;
-                                                            let _e1773 = (_e1772 < arrayLength((&global_7.member)));
-                                                            if _e1773 {
-                                                                if _e1773 {
+                                                            let _e1407 = phi_2482_;
+                                                            let _e1408 = (_e1407 < arrayLength((&global_7.member)));
+                                                            if _e1408 {
+                                                                if _e1408 {
                                                                 } else {
-                                                                    phi_3921_ = true;
+                                                                    phi_3924_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1775 = global_7.member[_e1772];
-                                                                phi_2496_ = _e1775;
+                                                                let _e1410 = global_7.member[_e1407];
+                                                                phi_2496_ = _e1410;
                                                             } else {
                                                                 phi_2496_ = 0i;
                                                             }
-                                                            let _e1777 = phi_2496_;
-                                                            let _e1778 = (_e1777 == 0i);
-                                                            if _e1778 {
+                                                            let _e1412 = phi_2496_;
+                                                            let _e1413 = (_e1412 == 0i);
+                                                            if _e1413 {
                                                                 phi_2793_ = true;
                                                             } else {
                                                                 if _e443 {
-                                                                    phi_2519_ = vec3<f32>(_e1301[0][0], _e1301[0][1], _e1301[0][2]);
+                                                                    phi_2519_ = vec3<f32>(_e936[0][0], _e936[0][1], _e936[0][2]);
                                                                 } else {
                                                                     if (_e419 == 1u) {
-                                                                        phi_2518_ = vec3<f32>(_e1301[0][2], _e1301[0][0], _e1301[0][1]);
+                                                                        phi_2518_ = vec3<f32>(_e936[0][2], _e936[0][0], _e936[0][1]);
                                                                     } else {
-                                                                        phi_2518_ = vec3<f32>(_e1301[0][1], _e1301[0][2], _e1301[0][0]);
+                                                                        phi_2518_ = vec3<f32>(_e936[0][1], _e936[0][2], _e936[0][0]);
                                                                     }
-                                                                    let _e1783 = phi_2518_;
-                                                                    phi_2519_ = _e1783;
+                                                                    let _e1418 = phi_2518_;
+                                                                    phi_2519_ = _e1418;
                                                                 }
-                                                                let _e1786 = phi_2519_;
+                                                                let _e1421 = phi_2519_;
                                                                 if _e443 {
-                                                                    phi_2538_ = vec3<f32>(_e1301[1][0], _e1301[1][1], _e1301[1][2]);
+                                                                    phi_2538_ = vec3<f32>(_e936[1][0], _e936[1][1], _e936[1][2]);
                                                                 } else {
                                                                     if (_e419 == 1u) {
-                                                                        phi_2537_ = vec3<f32>(_e1301[1][2], _e1301[1][0], _e1301[1][1]);
+                                                                        phi_2537_ = vec3<f32>(_e936[1][2], _e936[1][0], _e936[1][1]);
                                                                     } else {
-                                                                        phi_2537_ = vec3<f32>(_e1301[1][1], _e1301[1][2], _e1301[1][0]);
+                                                                        phi_2537_ = vec3<f32>(_e936[1][1], _e936[1][2], _e936[1][0]);
                                                                     }
-                                                                    let _e1791 = phi_2537_;
-                                                                    phi_2538_ = _e1791;
+                                                                    let _e1426 = phi_2537_;
+                                                                    phi_2538_ = _e1426;
                                                                 }
-                                                                let _e1794 = phi_2538_;
+                                                                let _e1429 = phi_2538_;
                                                                 if _e443 {
-                                                                    phi_2557_ = vec3<f32>(_e1301[2][0], _e1301[2][1], _e1301[2][2]);
+                                                                    phi_2557_ = vec3<f32>(_e936[2][0], _e936[2][1], _e936[2][2]);
                                                                 } else {
                                                                     if (_e419 == 1u) {
-                                                                        phi_2556_ = vec3<f32>(_e1301[2][2], _e1301[2][0], _e1301[2][1]);
+                                                                        phi_2556_ = vec3<f32>(_e936[2][2], _e936[2][0], _e936[2][1]);
                                                                     } else {
-                                                                        phi_2556_ = vec3<f32>(_e1301[2][1], _e1301[2][2], _e1301[2][0]);
+                                                                        phi_2556_ = vec3<f32>(_e936[2][1], _e936[2][2], _e936[2][0]);
                                                                     }
-                                                                    let _e1799 = phi_2556_;
-                                                                    phi_2557_ = _e1799;
+                                                                    let _e1434 = phi_2556_;
+                                                                    phi_2557_ = _e1434;
                                                                 }
-                                                                let _e1802 = phi_2557_;
-                                                                let _e1805 = (_e1794.x - _e1786.x);
-                                                                let _e1808 = (_e1794.y - _e1786.y);
-                                                                let _e1811 = (_e1794.z - _e1786.z);
-                                                                let _e1813 = (_e1802.x - _e1786.x);
-                                                                let _e1815 = (_e1802.y - _e1786.y);
-                                                                let _e1817 = (_e1802.z - _e1786.z);
+                                                                let _e1437 = phi_2557_;
+                                                                let _e1440 = (_e1429.x - _e1421.x);
+                                                                let _e1443 = (_e1429.y - _e1421.y);
+                                                                let _e1446 = (_e1429.z - _e1421.z);
+                                                                let _e1448 = (_e1437.x - _e1421.x);
+                                                                let _e1450 = (_e1437.y - _e1421.y);
+                                                                let _e1452 = (_e1437.z - _e1421.z);
                                                                 if (_e286.member_1 == 1u) {
-                                                                    phi_2593_ = (vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]) - _e1786);
+                                                                    phi_2593_ = (vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]) - _e1421);
                                                                 } else {
                                                                     phi_2593_ = vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]);
                                                                 }
-                                                                let _e1832 = phi_2593_;
-                                                                let _e1838 = bitcast<f32>((bitcast<u32>((_e1805 * _e1815)) ^ _e286.member_3[0]));
-                                                                let _e1842 = bitcast<f32>((bitcast<u32>((_e1808 * _e1813)) ^ _e286.member_3[0]));
-                                                                let _e1846 = bitcast<f32>((bitcast<u32>((_e1808 * _e1817)) ^ _e286.member_3[0]));
-                                                                let _e1850 = bitcast<f32>((bitcast<u32>((_e1811 * _e1815)) ^ _e286.member_3[0]));
-                                                                let _e1854 = bitcast<f32>((bitcast<u32>((_e1811 * _e1813)) ^ _e286.member_3[0]));
-                                                                let _e1858 = bitcast<f32>((bitcast<u32>((_e1805 * _e1817)) ^ _e286.member_3[0]));
-                                                                let _e1859 = (_e1846 - _e1850);
-                                                                let _e1860 = (_e1854 - _e1858);
-                                                                let _e1861 = (_e1838 - _e1842);
-                                                                let _e1885 = (bitcast<f32>((bitcast<u32>(_e1846) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1850) & 2147483647u)));
-                                                                let _e1892 = (bitcast<f32>((bitcast<u32>(_e1854) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1858) & 2147483647u)));
-                                                                let _e1899 = (bitcast<f32>((bitcast<u32>(_e1838) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1842) & 2147483647u)));
+                                                                let _e1467 = phi_2593_;
+                                                                let _e1473 = bitcast<f32>((bitcast<u32>((_e1440 * _e1450)) ^ _e286.member_3[0]));
+                                                                let _e1477 = bitcast<f32>((bitcast<u32>((_e1443 * _e1448)) ^ _e286.member_3[0]));
+                                                                let _e1481 = bitcast<f32>((bitcast<u32>((_e1443 * _e1452)) ^ _e286.member_3[0]));
+                                                                let _e1485 = bitcast<f32>((bitcast<u32>((_e1446 * _e1450)) ^ _e286.member_3[0]));
+                                                                let _e1489 = bitcast<f32>((bitcast<u32>((_e1446 * _e1448)) ^ _e286.member_3[0]));
+                                                                let _e1493 = bitcast<f32>((bitcast<u32>((_e1440 * _e1452)) ^ _e286.member_3[0]));
+                                                                let _e1494 = (_e1481 - _e1485);
+                                                                let _e1495 = (_e1489 - _e1493);
+                                                                let _e1496 = (_e1473 - _e1477);
+                                                                let _e1520 = (bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u)));
+                                                                let _e1527 = (bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1493) & 2147483647u)));
+                                                                let _e1534 = (bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u)));
                                                                 if (_e286.member_2 == 0f) {
                                                                     phi_2775_ = 0f;
                                                                 } else {
-                                                                    let _e1929 = bitcast<f32>((bitcast<u32>(_e1859) & 2147483647u));
-                                                                    let _e1932 = bitcast<f32>((bitcast<u32>(_e1860) & 2147483647u));
-                                                                    let _e1935 = bitcast<f32>((bitcast<u32>(_e1861) & 2147483647u));
-                                                                    let _e1937 = select(_e1935, _e1932, (_e1932 > _e1935));
-                                                                    let _e1941 = select(_e1935, _e1932, (_e1932 < _e1935));
-                                                                    let _e1945 = select(_e1932, _e1929, (_e1929 < _e1932));
-                                                                    let _e1947 = select(_e1932, _e1929, (_e1929 > _e1932));
-                                                                    let _e1949 = select(_e1935, _e1947, (_e1947 < _e1935));
-                                                                    phi_2775_ = bitcast<f32>((bitcast<u32>((_e286.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1937, _e1929, (_e1929 > _e1937)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1949, _e1945, (_e1945 > _e1949)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1941, _e1929, (_e1929 < _e1941)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1885 + _e1892) + _e1899))) ^ _e286.member_3[0]))) * 1.0000005f)) ^ _e286.member_3[0])))) ^ _e286.member_3[0]));
+                                                                    let _e1564 = bitcast<f32>((bitcast<u32>(_e1494) & 2147483647u));
+                                                                    let _e1567 = bitcast<f32>((bitcast<u32>(_e1495) & 2147483647u));
+                                                                    let _e1570 = bitcast<f32>((bitcast<u32>(_e1496) & 2147483647u));
+                                                                    let _e1572 = select(_e1570, _e1567, (_e1567 > _e1570));
+                                                                    let _e1576 = select(_e1570, _e1567, (_e1567 < _e1570));
+                                                                    let _e1580 = select(_e1567, _e1564, (_e1564 < _e1567));
+                                                                    let _e1582 = select(_e1567, _e1564, (_e1564 > _e1567));
+                                                                    let _e1584 = select(_e1570, _e1582, (_e1582 < _e1570));
+                                                                    phi_2775_ = bitcast<f32>((bitcast<u32>((_e286.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1572, _e1564, (_e1564 > _e1572)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1584, _e1580, (_e1580 > _e1584)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1576, _e1564, (_e1564 < _e1576)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1520 + _e1527) + _e1534))) ^ _e286.member_3[0]))) * 1.0000005f)) ^ _e286.member_3[0])))) ^ _e286.member_3[0]));
                                                                 }
-                                                                let _e1976 = phi_2775_;
-                                                                phi_2793_ = (_e1778 || !(((((bitcast<f32>((bitcast<u32>((_e1832.x * _e1859)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1832.y * _e1860)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1832.z * _e1861)) ^ _e286.member_3[0]))) * f32(-(_e1777))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1832.x) & 2147483647u)) * _e1885)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1832.y) & 2147483647u)) * _e1892)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1832.z) & 2147483647u)) * _e1899)) ^ _e286.member_3[0]))))) ^ _e286.member_3[0])) + _e1976) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1611 = phi_2775_;
+                                                                phi_2793_ = (_e1413 || !(((((bitcast<f32>((bitcast<u32>((_e1467.x * _e1494)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1467.y * _e1495)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1467.z * _e1496)) ^ _e286.member_3[0]))) * f32(-(_e1412))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1467.x) & 2147483647u)) * _e1520)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1467.y) & 2147483647u)) * _e1527)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1467.z) & 2147483647u)) * _e1534)) ^ _e286.member_3[0]))))) ^ _e286.member_3[0])) + _e1611) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1990 = phi_2793_;
-                                                            phi_2794_ = _e1990;
+                                                            let _e1625 = phi_2793_;
+                                                            phi_2794_ = _e1625;
                                                         }
-                                                        let _e1992 = phi_2794_;
-                                                        if _e1992 {
-                                                            phi_2799_ = type_46(_e1205.member, true);
+                                                        let _e1627 = phi_2794_;
+                                                        if _e1627 {
+                                                            phi_2799_ = type_46(_e840.member, true);
                                                         } else {
-                                                            phi_2799_ = _e1205;
+                                                            phi_2799_ = _e840;
                                                         }
-                                                        let _e1997 = phi_2799_;
-                                                        phi_2800_ = _e1997;
+                                                        let _e1632 = phi_2799_;
+                                                        phi_2800_ = _e1632;
                                                     } else {
-                                                        phi_2800_ = _e1205;
+                                                        phi_2800_ = _e840;
                                                     }
-                                                    let _e1999 = phi_2800_;
-                                                    phi_1422_ = _e1999;
+                                                    let _e1634 = phi_2800_;
+                                                    phi_1422_ = _e1634;
                                                 } else {
                                                     phi_1422_ = type_46();
                                                 }
-                                                let _e2001 = phi_1422_;
+                                                let _e1636 = phi_1422_;
                                                 continue;
                                                 continuing {
-                                                    phi_1421_ = _e2001;
-                                                    phi_1424_ = _e1220;
-                                                    phi_3921_ = _e784;
-                                                    break if !(_e1226);
+                                                    phi_1421_ = _e1636;
+                                                    phi_1424_ = _e855;
+                                                    phi_3924_ = _e784;
+                                                    break if !(_e861);
                                                 }
                                             }
-                                            let _e2004 = phi_3921_;
-                                            phi_4113_ = _e2004;
-                                            if _e2004 {
+                                            let _e1639 = phi_3924_;
+                                            phi_4116_ = _e1639;
+                                            if _e1639 {
                                                 break;
                                             }
-                                            let _e2006 = local_10;
-                                            phi_4117_ = _e2004;
-                                            let _e2211 = local_12;
-                                            phi_3815_ = _e2211;
-                                            phi_3816_ = false;
-                                            phi_3817_ = select(_e827, 0u, _e2006.member_1);
-                                            phi_3818_ = _e829;
+                                            phi_4175_ = _e1639;
+                                            let _e2201 = local_11;
+                                            phi_2801_ = _e2201;
                                         } else {
-                                            let _e838 = (_e829.member_1 < _e95);
-                                            if _e838 {
-                                                if _e838 {
+                                            phi_4175_ = _e784;
+                                            phi_2801_ = _e786;
+                                        }
+                                        let _e1641 = phi_4175_;
+                                        let _e1643 = phi_2801_;
+                                        if _e833 {
+                                            phi_3808_ = bool();
+                                            phi_3809_ = u32();
+                                            phi_3810_ = type_62();
+                                        } else {
+                                            let _e1644 = (_e829.member_1 < _e95);
+                                            if _e1644 {
+                                                if _e1644 {
                                                 } else {
-                                                    phi_4113_ = true;
+                                                    phi_4116_ = true;
                                                     break;
                                                 }
-                                                let _e840 = global_10.member[_e829.member_1];
-                                                phi_2828_ = _e840;
+                                                let _e1646 = global_10.member[_e829.member_1];
+                                                phi_2822_ = _e1646;
                                             } else {
-                                                phi_2828_ = type_55(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2822_ = type_55(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e842 = phi_2828_;
-                                            let _e857 = ((10u * _e419) & 31u);
-                                            let _e860 = ((_e842.member[0] >> bitcast<u32>(_e857)) & 1023u);
-                                            let _e868 = bitcast<f32>((bitcast<u32>(((_e829.member.member_1[0] - _e829.member.member[0]) * 0.0009775171f)) ^ _e137));
-                                            let _e873 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e860)) - 8388608f) * _e868)) ^ _e137)));
-                                            let _e877 = select(select(_e829.member.member_1[0], _e873, (_e873 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e860 == 1023u));
-                                            let _e879 = ((10u * _e418) & 31u);
-                                            let _e882 = ((_e842.member[0] >> bitcast<u32>(_e879)) & 1023u);
-                                            let _e890 = bitcast<f32>((bitcast<u32>(((_e829.member.member_1[1] - _e829.member.member[1]) * 0.0009775171f)) ^ _e137));
-                                            let _e895 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e882)) - 8388608f) * _e890)) ^ _e137)));
-                                            let _e899 = select(select(_e829.member.member_1[1], _e895, (_e895 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e882 == 1023u));
-                                            let _e901 = ((10u * _e420) & 31u);
-                                            let _e904 = ((_e842.member[0] >> bitcast<u32>(_e901)) & 1023u);
-                                            let _e912 = bitcast<f32>((bitcast<u32>(((_e829.member.member_1[2] - _e829.member.member[2]) * 0.0009775171f)) ^ _e137));
-                                            let _e917 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e904)) - 8388608f) * _e912)) ^ _e137)));
-                                            let _e921 = select(select(_e829.member.member_1[2], _e917, (_e917 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e904 == 1023u));
-                                            let _e924 = ((_e842.member[1] >> bitcast<u32>(_e857)) & 1023u);
-                                            let _e932 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e924)) - 8388608f) * _e868)) ^ _e137)));
-                                            let _e936 = select(select(_e829.member.member_1[0], _e932, (_e932 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e924 == 1023u));
-                                            let _e939 = ((_e842.member[1] >> bitcast<u32>(_e879)) & 1023u);
-                                            let _e947 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e939)) - 8388608f) * _e890)) ^ _e137)));
-                                            let _e951 = select(select(_e829.member.member_1[1], _e947, (_e947 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e939 == 1023u));
-                                            let _e954 = ((_e842.member[1] >> bitcast<u32>(_e901)) & 1023u);
-                                            let _e962 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e954)) - 8388608f) * _e912)) ^ _e137)));
-                                            let _e966 = select(select(_e829.member.member_1[2], _e962, (_e962 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e954 == 1023u));
-                                            let _e972 = ((_e842.member_1[0] >> bitcast<u32>(_e857)) & 1023u);
-                                            let _e980 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e972)) - 8388608f) * _e868)) ^ _e137)));
-                                            let _e984 = select(select(_e829.member.member_1[0], _e980, (_e980 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e972 == 1023u));
-                                            let _e987 = ((_e842.member_1[0] >> bitcast<u32>(_e879)) & 1023u);
-                                            let _e995 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e987)) - 8388608f) * _e890)) ^ _e137)));
-                                            let _e999 = select(select(_e829.member.member_1[1], _e995, (_e995 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e987 == 1023u));
-                                            let _e1002 = ((_e842.member_1[0] >> bitcast<u32>(_e901)) & 1023u);
-                                            let _e1010 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1002)) - 8388608f) * _e912)) ^ _e137)));
-                                            let _e1014 = select(select(_e829.member.member_1[2], _e1010, (_e1010 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e1002 == 1023u));
-                                            let _e1017 = ((_e842.member_1[1] >> bitcast<u32>(_e857)) & 1023u);
-                                            let _e1025 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1017)) - 8388608f) * _e868)) ^ _e137)));
-                                            let _e1029 = select(select(_e829.member.member_1[0], _e1025, (_e1025 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e1017 == 1023u));
-                                            let _e1032 = ((_e842.member_1[1] >> bitcast<u32>(_e879)) & 1023u);
-                                            let _e1040 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1032)) - 8388608f) * _e890)) ^ _e137)));
-                                            let _e1044 = select(select(_e829.member.member_1[1], _e1040, (_e1040 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e1032 == 1023u));
-                                            let _e1047 = ((_e842.member_1[1] >> bitcast<u32>(_e901)) & 1023u);
-                                            let _e1055 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1047)) - 8388608f) * _e912)) ^ _e137)));
-                                            let _e1059 = select(select(_e829.member.member_1[2], _e1055, (_e1055 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e1047 == 1023u));
-                                            let _e1064 = type_62(type_60(array<f32, 3>(_e877, _e899, _e921), array<f32, 3>(_e936, _e951, _e966)), _e842.member_2);
-                                            let _e1069 = type_62(type_60(array<f32, 3>(_e984, _e999, _e1014), array<f32, 3>(_e1029, _e1044, _e1059)), _e842.member_3);
-                                            let _e1075 = ((_e877 - _e504) * _e509);
-                                            let _e1076 = ((_e984 - _e504) * _e509);
-                                            let _e1077 = ((_e936 - _e505) * _e509);
-                                            let _e1078 = ((_e1029 - _e505) * _e509);
-                                            let _e1083 = ((_e899 - _e570) * _e575);
-                                            let _e1084 = ((_e999 - _e570) * _e575);
-                                            let _e1085 = ((_e951 - _e571) * _e575);
-                                            let _e1086 = ((_e1044 - _e571) * _e575);
-                                            let _e1091 = ((_e921 - _e636) * _e641);
-                                            let _e1092 = ((_e1014 - _e636) * _e641);
-                                            let _e1093 = ((_e966 - _e637) * _e641);
-                                            let _e1094 = ((_e1059 - _e637) * _e641);
-                                            let _e1096 = select(_e1093, _e1091, (_e1091 < _e1093));
-                                            let _e1098 = select(_e1094, _e1092, (_e1092 < _e1094));
-                                            let _e1100 = select(_e1093, _e1091, (_e1091 > _e1093));
-                                            let _e1102 = select(_e1094, _e1092, (_e1092 > _e1094));
-                                            let _e1104 = select(_e1077, _e1075, (_e1075 < _e1077));
-                                            let _e1106 = select(_e1078, _e1076, (_e1076 < _e1078));
-                                            let _e1108 = select(_e1085, _e1083, (_e1083 < _e1085));
-                                            let _e1110 = select(_e1086, _e1084, (_e1084 < _e1086));
-                                            let _e1112 = select(_e1108, _e1104, (_e1104 > _e1108));
-                                            let _e1114 = select(_e1110, _e1106, (_e1106 > _e1110));
-                                            let _e1116 = select(_e1096, _e1112, (_e1112 > _e1096));
-                                            let _e1118 = select(_e1098, _e1114, (_e1114 > _e1098));
-                                            let _e1120 = select(_e1077, _e1075, (_e1075 > _e1077));
-                                            let _e1122 = select(_e1078, _e1076, (_e1076 > _e1078));
-                                            let _e1124 = select(_e1085, _e1083, (_e1083 > _e1085));
-                                            let _e1126 = select(_e1086, _e1084, (_e1084 > _e1086));
-                                            let _e1128 = select(_e1124, _e1120, (_e1120 < _e1124));
-                                            let _e1130 = select(_e1126, _e1122, (_e1122 < _e1126));
-                                            let _e1135 = -(_e1096);
-                                            let _e1136 = -(_e1098);
-                                            let _e1143 = (select(_e1100, _e1128, (_e1128 < _e1100)) + (select(_e1135, _e1100, (_e1100 > _e1135)) * 0.0000019073523f));
-                                            let _e1144 = (select(_e1102, _e1130, (_e1130 < _e1102)) + (select(_e1136, _e1102, (_e1102 > _e1136)) * 0.0000019073523f));
-                                            let _e1146 = select(_e752, _e1116, (_e1116 > _e752));
-                                            let _e1148 = select(_e752, _e1118, (_e1118 > _e752));
-                                            let _e1153 = (_e1146 <= select(_e786.member, _e1143, (_e1143 < _e786.member)));
-                                            let _e1154 = (_e1148 <= select(_e786.member, _e1144, (_e1144 < _e786.member)));
-                                            let _e1155 = (_e1146 <= _e1148);
-                                            if _e1153 {
-                                                if _e1154 {
-                                                    if _e1155 {
-                                                        phi_3714_ = _e1069;
+                                            let _e1648 = phi_2822_;
+                                            let _e1663 = ((10u * _e419) & 31u);
+                                            let _e1666 = ((_e1648.member[0] >> bitcast<u32>(_e1663)) & 1023u);
+                                            let _e1674 = bitcast<f32>((bitcast<u32>(((_e829.member.member_1[0] - _e829.member.member[0]) * 0.0009775171f)) ^ _e137));
+                                            let _e1679 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1666)) - 8388608f) * _e1674)) ^ _e137)));
+                                            let _e1683 = select(select(_e829.member.member_1[0], _e1679, (_e1679 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e1666 == 1023u));
+                                            let _e1685 = ((10u * _e418) & 31u);
+                                            let _e1688 = ((_e1648.member[0] >> bitcast<u32>(_e1685)) & 1023u);
+                                            let _e1696 = bitcast<f32>((bitcast<u32>(((_e829.member.member_1[1] - _e829.member.member[1]) * 0.0009775171f)) ^ _e137));
+                                            let _e1701 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1688)) - 8388608f) * _e1696)) ^ _e137)));
+                                            let _e1705 = select(select(_e829.member.member_1[1], _e1701, (_e1701 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e1688 == 1023u));
+                                            let _e1707 = ((10u * _e420) & 31u);
+                                            let _e1710 = ((_e1648.member[0] >> bitcast<u32>(_e1707)) & 1023u);
+                                            let _e1718 = bitcast<f32>((bitcast<u32>(((_e829.member.member_1[2] - _e829.member.member[2]) * 0.0009775171f)) ^ _e137));
+                                            let _e1723 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1710)) - 8388608f) * _e1718)) ^ _e137)));
+                                            let _e1727 = select(select(_e829.member.member_1[2], _e1723, (_e1723 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e1710 == 1023u));
+                                            let _e1730 = ((_e1648.member[1] >> bitcast<u32>(_e1663)) & 1023u);
+                                            let _e1738 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1730)) - 8388608f) * _e1674)) ^ _e137)));
+                                            let _e1742 = select(select(_e829.member.member_1[0], _e1738, (_e1738 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e1730 == 1023u));
+                                            let _e1745 = ((_e1648.member[1] >> bitcast<u32>(_e1685)) & 1023u);
+                                            let _e1753 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1745)) - 8388608f) * _e1696)) ^ _e137)));
+                                            let _e1757 = select(select(_e829.member.member_1[1], _e1753, (_e1753 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e1745 == 1023u));
+                                            let _e1760 = ((_e1648.member[1] >> bitcast<u32>(_e1707)) & 1023u);
+                                            let _e1768 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1760)) - 8388608f) * _e1718)) ^ _e137)));
+                                            let _e1772 = select(select(_e829.member.member_1[2], _e1768, (_e1768 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e1760 == 1023u));
+                                            let _e1778 = ((_e1648.member_1[0] >> bitcast<u32>(_e1663)) & 1023u);
+                                            let _e1786 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1778)) - 8388608f) * _e1674)) ^ _e137)));
+                                            let _e1790 = select(select(_e829.member.member_1[0], _e1786, (_e1786 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e1778 == 1023u));
+                                            let _e1793 = ((_e1648.member_1[0] >> bitcast<u32>(_e1685)) & 1023u);
+                                            let _e1801 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1793)) - 8388608f) * _e1696)) ^ _e137)));
+                                            let _e1805 = select(select(_e829.member.member_1[1], _e1801, (_e1801 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e1793 == 1023u));
+                                            let _e1808 = ((_e1648.member_1[0] >> bitcast<u32>(_e1707)) & 1023u);
+                                            let _e1816 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1808)) - 8388608f) * _e1718)) ^ _e137)));
+                                            let _e1820 = select(select(_e829.member.member_1[2], _e1816, (_e1816 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e1808 == 1023u));
+                                            let _e1823 = ((_e1648.member_1[1] >> bitcast<u32>(_e1663)) & 1023u);
+                                            let _e1831 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1823)) - 8388608f) * _e1674)) ^ _e137)));
+                                            let _e1835 = select(select(_e829.member.member_1[0], _e1831, (_e1831 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e1823 == 1023u));
+                                            let _e1838 = ((_e1648.member_1[1] >> bitcast<u32>(_e1685)) & 1023u);
+                                            let _e1846 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1838)) - 8388608f) * _e1696)) ^ _e137)));
+                                            let _e1850 = select(select(_e829.member.member_1[1], _e1846, (_e1846 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e1838 == 1023u));
+                                            let _e1853 = ((_e1648.member_1[1] >> bitcast<u32>(_e1707)) & 1023u);
+                                            let _e1861 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1853)) - 8388608f) * _e1718)) ^ _e137)));
+                                            let _e1865 = select(select(_e829.member.member_1[2], _e1861, (_e1861 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e1853 == 1023u));
+                                            let _e1870 = type_62(type_60(array<f32, 3>(_e1683, _e1705, _e1727), array<f32, 3>(_e1742, _e1757, _e1772)), _e1648.member_2);
+                                            let _e1875 = type_62(type_60(array<f32, 3>(_e1790, _e1805, _e1820), array<f32, 3>(_e1835, _e1850, _e1865)), _e1648.member_3);
+                                            let _e1881 = ((_e1683 - _e504) * _e509);
+                                            let _e1882 = ((_e1790 - _e504) * _e509);
+                                            let _e1883 = ((_e1742 - _e505) * _e509);
+                                            let _e1884 = ((_e1835 - _e505) * _e509);
+                                            let _e1889 = ((_e1705 - _e570) * _e575);
+                                            let _e1890 = ((_e1805 - _e570) * _e575);
+                                            let _e1891 = ((_e1757 - _e571) * _e575);
+                                            let _e1892 = ((_e1850 - _e571) * _e575);
+                                            let _e1897 = ((_e1727 - _e636) * _e641);
+                                            let _e1898 = ((_e1820 - _e636) * _e641);
+                                            let _e1899 = ((_e1772 - _e637) * _e641);
+                                            let _e1900 = ((_e1865 - _e637) * _e641);
+                                            let _e1902 = select(_e1899, _e1897, (_e1897 < _e1899));
+                                            let _e1904 = select(_e1900, _e1898, (_e1898 < _e1900));
+                                            let _e1906 = select(_e1899, _e1897, (_e1897 > _e1899));
+                                            let _e1908 = select(_e1900, _e1898, (_e1898 > _e1900));
+                                            let _e1910 = select(_e1883, _e1881, (_e1881 < _e1883));
+                                            let _e1912 = select(_e1884, _e1882, (_e1882 < _e1884));
+                                            let _e1914 = select(_e1891, _e1889, (_e1889 < _e1891));
+                                            let _e1916 = select(_e1892, _e1890, (_e1890 < _e1892));
+                                            let _e1918 = select(_e1914, _e1910, (_e1910 > _e1914));
+                                            let _e1920 = select(_e1916, _e1912, (_e1912 > _e1916));
+                                            let _e1922 = select(_e1902, _e1918, (_e1918 > _e1902));
+                                            let _e1924 = select(_e1904, _e1920, (_e1920 > _e1904));
+                                            let _e1926 = select(_e1883, _e1881, (_e1881 > _e1883));
+                                            let _e1928 = select(_e1884, _e1882, (_e1882 > _e1884));
+                                            let _e1930 = select(_e1891, _e1889, (_e1889 > _e1891));
+                                            let _e1932 = select(_e1892, _e1890, (_e1890 > _e1892));
+                                            let _e1934 = select(_e1930, _e1926, (_e1926 < _e1930));
+                                            let _e1936 = select(_e1932, _e1928, (_e1928 < _e1932));
+                                            let _e1941 = -(_e1902);
+                                            let _e1942 = -(_e1904);
+                                            let _e1949 = (select(_e1906, _e1934, (_e1934 < _e1906)) + (select(_e1941, _e1906, (_e1906 > _e1941)) * 0.0000019073523f));
+                                            let _e1950 = (select(_e1908, _e1936, (_e1936 < _e1908)) + (select(_e1942, _e1908, (_e1908 > _e1942)) * 0.0000019073523f));
+                                            let _e1952 = select(_e752, _e1922, (_e1922 > _e752));
+                                            let _e1954 = select(_e752, _e1924, (_e1924 > _e752));
+                                            let _e1959 = (_e1952 <= select(_e1643.member, _e1949, (_e1949 < _e1643.member)));
+                                            let _e1960 = (_e1954 <= select(_e1643.member, _e1950, (_e1950 < _e1643.member)));
+                                            let _e1961 = (_e1952 <= _e1954);
+                                            if _e1959 {
+                                                if _e1960 {
+                                                    if _e1961 {
+                                                        phi_3708_ = _e1875;
                                                     } else {
-                                                        phi_3714_ = _e1064;
+                                                        phi_3708_ = _e1870;
                                                     }
-                                                    let _e1157 = phi_3714_;
-                                                    let _e1165 = (_e827 % 128u);
-                                                    let _e1166 = (_e1165 < 128u);
-                                                    if _e1166 {
+                                                    let _e1963 = phi_3708_;
+                                                    let _e1970 = (_e827 % 128u);
+                                                    let _e1971 = (_e1970 < 128u);
+                                                    if _e1971 {
                                                     } else {
-                                                        phi_4113_ = true;
+                                                        phi_4116_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1165] = _e1157.member_1;
-                                                    if _e1166 {
+                                                    local_6[_e1970] = _e1963.member_1;
+                                                    if _e1971 {
                                                     } else {
-                                                        phi_4113_ = true;
+                                                        phi_4116_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1165] = _e1157.member.member[0];
-                                                    if _e1166 {
+                                                    local_5[_e1970] = _e1963.member.member[0];
+                                                    if _e1971 {
                                                     } else {
-                                                        phi_4113_ = true;
+                                                        phi_4116_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1165] = _e1157.member.member[1];
-                                                    if _e1166 {
+                                                    local_4[_e1970] = _e1963.member.member[1];
+                                                    if _e1971 {
                                                     } else {
-                                                        phi_4113_ = true;
+                                                        phi_4116_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1165] = _e1157.member.member[2];
-                                                    if _e1166 {
+                                                    local_3[_e1970] = _e1963.member.member[2];
+                                                    if _e1971 {
                                                     } else {
-                                                        phi_4113_ = true;
+                                                        phi_4116_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1165] = _e1157.member.member_1[0];
-                                                    if _e1166 {
+                                                    local_2[_e1970] = _e1963.member.member_1[0];
+                                                    if _e1971 {
                                                     } else {
-                                                        phi_4113_ = true;
+                                                        phi_4116_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e1165] = _e1157.member.member_1[1];
-                                                    if _e1166 {
+                                                    local_1[_e1970] = _e1963.member.member_1[1];
+                                                    if _e1971 {
                                                     } else {
-                                                        phi_4113_ = true;
+                                                        phi_4116_ = true;
                                                         break;
                                                     }
-                                                    local[_e1165] = _e1157.member.member_1[2];
-                                                    if _e1166 {
+                                                    local[_e1970] = _e1963.member.member_1[2];
+                                                    if _e1971 {
                                                     } else {
-                                                        phi_4113_ = true;
+                                                        phi_4116_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1165] = select(_e1148, _e1146, !(_e1155));
-                                                    if _e1155 {
-                                                        phi_3791_ = _e1064;
+                                                    local_7[_e1970] = select(_e1952, _e1954, _e1961);
+                                                    if _e1961 {
+                                                        phi_3784_ = _e1870;
                                                     } else {
-                                                        phi_3791_ = _e1069;
+                                                        phi_3784_ = _e1875;
                                                     }
-                                                    let _e1183 = phi_3791_;
-                                                    phi_3792_ = (_e827 + 1u);
-                                                    phi_3793_ = _e1183;
+                                                    let _e1988 = phi_3784_;
+                                                    phi_3785_ = (_e827 + 1u);
+                                                    phi_3786_ = _e1988;
                                                 } else {
-                                                    phi_3792_ = u32();
-                                                    phi_3793_ = type_62();
+                                                    phi_3785_ = u32();
+                                                    phi_3786_ = type_62();
                                                 }
-                                                let _e1185 = phi_3792_;
-                                                let _e1187 = phi_3793_;
-                                                phi_3795_ = _e1185;
-                                                phi_3796_ = _e1187;
-                                                phi_3797_ = select(true, false, _e1154);
+                                                let _e1990 = phi_3785_;
+                                                let _e1992 = phi_3786_;
+                                                phi_3788_ = _e1990;
+                                                phi_3789_ = _e1992;
+                                                phi_3790_ = select(true, false, _e1960);
                                             } else {
-                                                phi_3795_ = u32();
-                                                phi_3796_ = type_62();
-                                                phi_3797_ = true;
+                                                phi_3788_ = u32();
+                                                phi_3789_ = type_62();
+                                                phi_3790_ = true;
                                             }
-                                            let _e1190 = phi_3795_;
-                                            let _e1192 = phi_3796_;
-                                            let _e1194 = phi_3797_;
-                                            if _e1194 {
-                                                if _e1153 {
-                                                    phi_3804_ = _e1064;
+                                            let _e1995 = phi_3788_;
+                                            let _e1997 = phi_3789_;
+                                            let _e1999 = phi_3790_;
+                                            if _e1999 {
+                                                if _e1959 {
+                                                    phi_3797_ = _e1870;
                                                 } else {
-                                                    phi_3804_ = _e1069;
+                                                    phi_3797_ = _e1875;
                                                 }
-                                                let _e1196 = phi_3804_;
-                                                phi_3809_ = select(_e1154, true, _e1153);
-                                                phi_3811_ = _e1196;
+                                                let _e2001 = phi_3797_;
+                                                phi_3802_ = select(_e1960, true, _e1959);
+                                                phi_3804_ = _e2001;
                                             } else {
-                                                phi_3809_ = _e825;
-                                                phi_3811_ = _e1192;
+                                                phi_3802_ = _e825;
+                                                phi_3804_ = _e1997;
                                             }
-                                            let _e1199 = phi_3809_;
-                                            let _e1201 = phi_3811_;
-                                            phi_4117_ = _e784;
-                                            phi_3815_ = _e786;
-                                            phi_3816_ = _e1199;
-                                            phi_3817_ = select(_e1190, _e827, _e1194);
-                                            phi_3818_ = _e1201;
+                                            let _e2004 = phi_3802_;
+                                            let _e2006 = phi_3804_;
+                                            phi_3808_ = _e2004;
+                                            phi_3809_ = select(_e1995, _e827, _e1999);
+                                            phi_3810_ = _e2006;
                                         }
-                                        let _e2010 = phi_4117_;
-                                        let _e2012 = phi_3815_;
-                                        let _e2014 = phi_3816_;
-                                        let _e2016 = phi_3817_;
-                                        let _e2018 = phi_3818_;
-                                        phi_4116_ = _e2010;
-                                        phi_3819_ = _e2012;
-                                        phi_3820_ = _e2014;
-                                        phi_3821_ = (_e790 - 1u);
-                                        phi_3822_ = _e2016;
-                                        phi_3823_ = _e2018;
+                                        let _e2009 = phi_3808_;
+                                        let _e2011 = phi_3809_;
+                                        let _e2013 = phi_3810_;
+                                        if _e833 {
+                                            phi_3820_ = select(_e827, 0u, _e1643.member_1);
+                                            phi_3821_ = _e829;
+                                        } else {
+                                            phi_3820_ = _e2011;
+                                            phi_3821_ = _e2013;
+                                        }
+                                        let _e2017 = phi_3820_;
+                                        let _e2019 = phi_3821_;
+                                        phi_4119_ = _e1641;
+                                        phi_3822_ = _e1643;
+                                        phi_3823_ = (_e788 - 1u);
+                                        phi_3824_ = select(_e2009, false, _e833);
+                                        phi_3825_ = _e2017;
+                                        phi_3826_ = _e2019;
                                     } else {
-                                        phi_4116_ = _e784;
-                                        phi_3819_ = _e786;
-                                        phi_3820_ = _e825;
-                                        phi_3821_ = _e790;
-                                        phi_3822_ = _e827;
-                                        phi_3823_ = _e829;
+                                        phi_4119_ = _e784;
+                                        phi_3822_ = _e786;
+                                        phi_3823_ = _e788;
+                                        phi_3824_ = _e825;
+                                        phi_3825_ = _e827;
+                                        phi_3826_ = _e829;
                                     }
-                                    let _e2020 = phi_4116_;
-                                    let _e2022 = phi_3819_;
-                                    let _e2024 = phi_3820_;
-                                    let _e2026 = phi_3821_;
-                                    let _e2028 = phi_3822_;
-                                    let _e2030 = phi_3823_;
-                                    phi_4115_ = _e2020;
-                                    phi_3824_ = _e2022;
-                                    phi_3825_ = _e2024;
-                                    phi_3826_ = _e2026;
-                                    phi_3827_ = _e2028;
-                                    phi_3828_ = _e2030;
+                                    let _e2022 = phi_4119_;
+                                    let _e2024 = phi_3822_;
+                                    let _e2026 = phi_3823_;
+                                    let _e2028 = phi_3824_;
+                                    let _e2030 = phi_3825_;
+                                    let _e2032 = phi_3826_;
+                                    phi_4118_ = _e2022;
+                                    phi_3827_ = _e2024;
+                                    phi_3828_ = _e2026;
+                                    phi_3829_ = _e2028;
+                                    phi_3830_ = _e2030;
+                                    phi_3831_ = _e2032;
                                 } else {
-                                    phi_4115_ = _e784;
-                                    phi_3824_ = type_46();
-                                    phi_3825_ = bool();
-                                    phi_3826_ = u32();
-                                    phi_3827_ = u32();
-                                    phi_3828_ = type_62();
+                                    phi_4118_ = _e784;
+                                    phi_3827_ = type_46();
+                                    phi_3828_ = u32();
+                                    phi_3829_ = bool();
+                                    phi_3830_ = u32();
+                                    phi_3831_ = type_62();
                                 }
-                                let _e2032 = phi_4115_;
-                                let _e2034 = phi_3824_;
-                                let _e2036 = phi_3825_;
-                                let _e2038 = phi_3826_;
-                                let _e2040 = phi_3827_;
-                                let _e2042 = phi_3828_;
-                                phi_4114_ = _e2032;
-                                phi_1296_ = _e2034;
-                                phi_1299_ = _e2036;
-                                phi_1301_ = _e2038;
-                                phi_1303_ = _e2040;
-                                phi_1305_ = _e2042;
-                                phi_3829_ = _e798;
+                                let _e2034 = phi_4118_;
+                                let _e2036 = phi_3827_;
+                                let _e2038 = phi_3828_;
+                                let _e2040 = phi_3829_;
+                                let _e2042 = phi_3830_;
+                                let _e2044 = phi_3831_;
+                                phi_4117_ = _e2034;
+                                phi_1296_ = _e2036;
+                                phi_1299_ = _e2038;
+                                phi_1301_ = _e2040;
+                                phi_1303_ = _e2042;
+                                phi_1305_ = _e2044;
+                                phi_3832_ = _e798;
                             } else {
-                                phi_4114_ = _e784;
+                                phi_4117_ = _e784;
                                 phi_1296_ = type_46();
-                                phi_1299_ = bool();
-                                phi_1301_ = u32();
+                                phi_1299_ = u32();
+                                phi_1301_ = bool();
                                 phi_1303_ = u32();
                                 phi_1305_ = type_62();
-                                phi_3829_ = false;
+                                phi_3832_ = false;
                             }
-                            let _e2044 = phi_4114_;
-                            let _e2046 = phi_1296_;
-                            let _e2048 = phi_1299_;
-                            let _e2050 = phi_1301_;
-                            let _e2052 = phi_1303_;
-                            let _e2054 = phi_1305_;
-                            let _e2056 = phi_3829_;
+                            let _e2046 = phi_4117_;
+                            let _e2048 = phi_1296_;
+                            let _e2050 = phi_1299_;
+                            let _e2052 = phi_1301_;
+                            let _e2054 = phi_1303_;
+                            let _e2056 = phi_1305_;
+                            let _e2058 = phi_3832_;
                             continue;
                             continuing {
-                                phi_3927_ = _e2044;
-                                phi_1295_ = _e2046;
-                                phi_1298_ = _e2048;
-                                phi_1300_ = _e2050;
-                                phi_1302_ = _e2052;
-                                phi_1304_ = _e2054;
-                                phi_4113_ = _e2044;
-                                break if !(_e2056);
+                                phi_3930_ = _e2046;
+                                phi_1295_ = _e2048;
+                                phi_1298_ = _e2050;
+                                phi_1300_ = _e2052;
+                                phi_1302_ = _e2054;
+                                phi_1304_ = _e2056;
+                                phi_4116_ = _e2046;
+                                break if !(_e2058);
                             }
                         }
-                        let _e2059 = phi_4113_;
-                        if _e2059 {
+                        let _e2061 = phi_4116_;
+                        if _e2061 {
                             break;
                         }
-                        let _e2061 = local_11;
-                        if _e2061.member_1 {
+                        let _e2063 = local_10;
+                        if _e2063.member_1 {
                         } else {
                             if _e287 {
                             } else {
                                 break;
                             }
-                            let _e2065 = global_2.member[_e141];
+                            let _e2067 = global_2.member[_e141];
                             if _e148 {
                             } else {
                                 break;
                             }
-                            let _e2069 = global_9.member[_e141].member_1;
+                            let _e2071 = global_9.member[_e141].member_1;
                             if _e287 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e141] = type_29(_e2065.member, _e2065.member_1, _e2065.member_2, array<f32, 3>((_e2065.member_3[0] + (_e2069[0] * _e2065.member_1[0])), (_e2065.member_3[1] + (_e2069[1] * _e2065.member_1[1])), (_e2065.member_3[2] + (_e2069[2] * _e2065.member_1[2]))), _e2065.member_4);
+                            global_2.member[_e141] = type_29(_e2067.member, _e2067.member_1, _e2067.member_2, array<f32, 3>((_e2067.member_3[0] + (_e2071[0] * _e2067.member_1[0])), (_e2067.member_3[1] + (_e2071[1] * _e2067.member_1[1])), (_e2067.member_3[2] + (_e2071[2] * _e2067.member_1[2]))), _e2067.member_4);
                         }
                     }
                 }

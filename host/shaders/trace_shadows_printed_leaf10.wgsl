@@ -171,27 +171,16 @@ fn function_() {
     var phi_1206_: u32;
     var phi_1214_: f32;
     var phi_1215_: f32;
-    var phi_4109_: bool;
+    var phi_4112_: bool;
     var phi_1298_: type_40;
-    var phi_1301_: bool;
-    var phi_1303_: u32;
+    var phi_1301_: u32;
+    var phi_1303_: bool;
     var phi_1305_: u32;
     var phi_1307_: type_62;
     var phi_1318_: bool;
     var phi_1404_: bool;
     var phi_1405_: u32;
     var phi_1406_: type_62;
-    var phi_3010_: type_49;
-    var phi_3896_: type_62;
-    var phi_3973_: type_62;
-    var phi_3974_: u32;
-    var phi_3975_: type_62;
-    var phi_3977_: u32;
-    var phi_3978_: type_62;
-    var phi_3979_: bool;
-    var phi_3986_: type_62;
-    var phi_3991_: bool;
-    var phi_3993_: type_62;
     var phi_1425_: type_40;
     var phi_1428_: type_8;
     var phi_1429_: type_8;
@@ -248,35 +237,47 @@ fn function_() {
     var phi_2981_: type_40;
     var phi_2982_: type_40;
     var phi_1426_: type_40;
-    var phi_4103_: bool;
-    var local_10: type_40;
+    var phi_4106_: bool;
+    var phi_4375_: bool;
+    var phi_2983_: type_40;
+    var phi_3004_: type_49;
+    var phi_3890_: type_62;
+    var phi_3966_: type_62;
+    var phi_3967_: u32;
+    var phi_3968_: type_62;
+    var phi_3970_: u32;
+    var phi_3971_: type_62;
+    var phi_3972_: bool;
+    var phi_3979_: type_62;
+    var phi_3984_: bool;
+    var phi_3986_: type_62;
+    var phi_3990_: bool;
+    var phi_3991_: u32;
+    var phi_3992_: type_62;
+    var phi_4002_: u32;
+    var phi_4003_: type_62;
+    var phi_4319_: bool;
+    var phi_4004_: type_40;
+    var phi_4005_: u32;
+    var phi_4006_: bool;
+    var phi_4007_: u32;
+    var phi_4008_: type_62;
+    var phi_4318_: bool;
+    var phi_4009_: type_40;
+    var phi_4010_: u32;
+    var phi_4011_: bool;
+    var phi_4012_: u32;
+    var phi_4013_: type_62;
     var phi_4317_: bool;
-    var phi_3997_: type_40;
-    var phi_3998_: bool;
-    var phi_3999_: u32;
-    var phi_4000_: type_62;
-    var phi_4316_: bool;
-    var phi_4001_: type_40;
-    var phi_4002_: bool;
-    var phi_4003_: u32;
-    var phi_4004_: u32;
-    var phi_4005_: type_62;
-    var phi_4315_: bool;
-    var phi_4006_: type_40;
-    var phi_4007_: bool;
-    var phi_4008_: u32;
-    var phi_4009_: u32;
-    var phi_4010_: type_62;
-    var phi_4314_: bool;
     var phi_1299_: type_40;
-    var phi_1302_: bool;
-    var phi_1304_: u32;
+    var phi_1302_: u32;
+    var phi_1304_: bool;
     var phi_1306_: u32;
     var phi_1308_: type_62;
-    var phi_4011_: bool;
-    var phi_4313_: bool;
+    var phi_4014_: bool;
+    var phi_4316_: bool;
+    var local_10: type_40;
     var local_11: type_40;
-    var local_12: type_40;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -696,31 +697,31 @@ fn function_() {
                             break;
                         }
                         let _e775 = local_8[_e764];
-                        phi_4109_ = false;
+                        phi_4112_ = false;
                         phi_1298_ = type_40(_e749, false);
-                        phi_1301_ = (_e751 <= _e749);
-                        phi_1303_ = ((3u * _e93) + 1u);
+                        phi_1301_ = ((3u * _e93) + 1u);
+                        phi_1303_ = (_e751 <= _e749);
                         phi_1305_ = 0u;
                         phi_1307_ = type_62(type_54(array<f32, 3>(_e759, _e763, _e767), array<f32, 3>(_e771, _e773, _e775)), select(0u, 2147483648u, (_e93 == 0u)));
                         loop {
-                            let _e783 = phi_4109_;
+                            let _e783 = phi_4112_;
                             let _e785 = phi_1298_;
                             let _e787 = phi_1301_;
                             let _e789 = phi_1303_;
                             let _e791 = phi_1305_;
                             let _e793 = phi_1307_;
-                            local_11 = _e785;
-                            if _e787 {
+                            local_10 = _e785;
+                            if _e789 {
                                 phi_1318_ = true;
                             } else {
                                 phi_1318_ = (_e791 > 0u);
                             }
                             let _e796 = phi_1318_;
                             if _e796 {
-                                let _e797 = (_e789 > 0u);
+                                let _e797 = (_e787 > 0u);
                                 if _e797 {
-                                    if _e787 {
-                                        phi_1404_ = _e787;
+                                    if _e789 {
+                                        phi_1404_ = _e789;
                                         phi_1405_ = _e791;
                                         phi_1406_ = _e793;
                                     } else {
@@ -729,49 +730,49 @@ fn function_() {
                                         let _e800 = (_e799 < 128u);
                                         if _e800 {
                                         } else {
-                                            phi_4313_ = true;
+                                            phi_4316_ = true;
                                             break;
                                         }
                                         let _e802 = local_6[_e799];
                                         if _e800 {
                                         } else {
-                                            phi_4313_ = true;
+                                            phi_4316_ = true;
                                             break;
                                         }
                                         let _e804 = local_5[_e799];
                                         if _e800 {
                                         } else {
-                                            phi_4313_ = true;
+                                            phi_4316_ = true;
                                             break;
                                         }
                                         let _e806 = local_4[_e799];
                                         if _e800 {
                                         } else {
-                                            phi_4313_ = true;
+                                            phi_4316_ = true;
                                             break;
                                         }
                                         let _e808 = local_3[_e799];
                                         if _e800 {
                                         } else {
-                                            phi_4313_ = true;
+                                            phi_4316_ = true;
                                             break;
                                         }
                                         let _e811 = local_2[_e799];
                                         if _e800 {
                                         } else {
-                                            phi_4313_ = true;
+                                            phi_4316_ = true;
                                             break;
                                         }
                                         let _e813 = local_1[_e799];
                                         if _e800 {
                                         } else {
-                                            phi_4313_ = true;
+                                            phi_4316_ = true;
                                             break;
                                         }
                                         let _e815 = local[_e799];
                                         if _e800 {
                                         } else {
-                                            phi_4313_ = true;
+                                            phi_4316_ = true;
                                             break;
                                         }
                                         let _e820 = local_7[_e799];
@@ -783,823 +784,834 @@ fn function_() {
                                     let _e826 = phi_1405_;
                                     let _e828 = phi_1406_;
                                     if _e824 {
-                                        if ((_e828.member_1 & 2147483648u) != 0u) {
+                                        let _e832 = ((_e828.member_1 & 2147483648u) != 0u);
+                                        if _e832 {
                                             phi_1425_ = _e785;
                                             phi_1428_ = type_8(0u, ((_e828.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1205 = phi_1425_;
-                                                let _e1207 = phi_1428_;
-                                                local_10 = _e1205;
-                                                local_12 = _e1205;
-                                                if (_e1207.member < _e1207.member_1) {
-                                                    phi_1429_ = type_8((_e1207.member + 1u), _e1207.member_1);
-                                                    phi_1451_ = type_8(1u, _e1207.member);
+                                                let _e840 = phi_1425_;
+                                                let _e842 = phi_1428_;
+                                                local_11 = _e840;
+                                                if (_e842.member < _e842.member_1) {
+                                                    phi_1429_ = type_8((_e842.member + 1u), _e842.member_1);
+                                                    phi_1451_ = type_8(1u, _e842.member);
                                                 } else {
-                                                    phi_1429_ = _e1207;
+                                                    phi_1429_ = _e842;
                                                     phi_1451_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1220 = phi_1429_;
-                                                let _e1222 = phi_1451_;
-                                                let _e1226 = (bitcast<i32>(_e1222.member) != 0i);
-                                                if _e1226 {
-                                                    let _e1227 = ((_e828.member_1 & 268435455u) + _e1222.member_1);
-                                                    let _e1228 = (_e1227 < arrayLength((&global_10.member)));
-                                                    if _e1228 {
-                                                        if _e1228 {
+                                                let _e855 = phi_1429_;
+                                                let _e857 = phi_1451_;
+                                                let _e861 = (bitcast<i32>(_e857.member) != 0i);
+                                                if _e861 {
+                                                    let _e862 = ((_e828.member_1 & 268435455u) + _e857.member_1);
+                                                    let _e863 = (_e862 < arrayLength((&global_10.member)));
+                                                    if _e863 {
+                                                        if _e863 {
                                                         } else {
-                                                            phi_4103_ = true;
+                                                            phi_4106_ = true;
                                                             break;
                                                         }
-                                                        let _e1231 = global_10.member[_e1227].member_1;
-                                                        phi_1476_ = _e1231;
+                                                        let _e866 = global_10.member[_e862].member_1;
+                                                        phi_1476_ = _e866;
                                                     } else {
                                                         phi_1476_ = 4294967295u;
                                                     }
-                                                    let _e1233 = phi_1476_;
-                                                    if _e1228 {
-                                                        if _e1228 {
+                                                    let _e868 = phi_1476_;
+                                                    if _e863 {
+                                                        if _e863 {
                                                         } else {
-                                                            phi_4103_ = true;
+                                                            phi_4106_ = true;
                                                             break;
                                                         }
-                                                        let _e1235 = global_10.member[_e1227];
-                                                        phi_1492_ = _e1235;
+                                                        let _e870 = global_10.member[_e862];
+                                                        phi_1492_ = _e870;
                                                     } else {
                                                         phi_1492_ = type_56(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e1237 = phi_1492_;
-                                                    let _e1249 = ((10u * _e418) & 31u);
-                                                    let _e1252 = ((_e1237.member[0] >> bitcast<u32>(_e1249)) & 1023u);
-                                                    let _e1260 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[0] - _e828.member.member[0]) * 0.0009775171f)) ^ _e136));
-                                                    let _e1265 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1252)) - 8388608f) * _e1260)) ^ _e136)));
-                                                    let _e1269 = select(select(_e828.member.member_1[0], _e1265, (_e1265 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1252 == 1023u));
-                                                    let _e1271 = ((10u * _e417) & 31u);
-                                                    let _e1274 = ((_e1237.member[0] >> bitcast<u32>(_e1271)) & 1023u);
-                                                    let _e1282 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[1] - _e828.member.member[1]) * 0.0009775171f)) ^ _e136));
-                                                    let _e1287 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1274)) - 8388608f) * _e1282)) ^ _e136)));
-                                                    let _e1291 = select(select(_e828.member.member_1[1], _e1287, (_e1287 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1274 == 1023u));
-                                                    let _e1293 = ((10u * _e419) & 31u);
-                                                    let _e1296 = ((_e1237.member[0] >> bitcast<u32>(_e1293)) & 1023u);
-                                                    let _e1304 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[2] - _e828.member.member[2]) * 0.0009775171f)) ^ _e136));
-                                                    let _e1309 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1296)) - 8388608f) * _e1304)) ^ _e136)));
-                                                    let _e1313 = select(select(_e828.member.member_1[2], _e1309, (_e1309 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1296 == 1023u));
-                                                    let _e1317 = ((_e1237.member[1] >> bitcast<u32>(_e1249)) & 1023u);
-                                                    let _e1325 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1317)) - 8388608f) * _e1260)) ^ _e136)));
-                                                    let _e1329 = select(select(_e828.member.member_1[0], _e1325, (_e1325 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1317 == 1023u));
-                                                    let _e1332 = ((_e1237.member[1] >> bitcast<u32>(_e1271)) & 1023u);
-                                                    let _e1340 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1332)) - 8388608f) * _e1282)) ^ _e136)));
-                                                    let _e1344 = select(select(_e828.member.member_1[1], _e1340, (_e1340 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1332 == 1023u));
-                                                    let _e1347 = ((_e1237.member[1] >> bitcast<u32>(_e1293)) & 1023u);
-                                                    let _e1355 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1347)) - 8388608f) * _e1304)) ^ _e136)));
-                                                    let _e1359 = select(select(_e828.member.member_1[2], _e1355, (_e1355 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1347 == 1023u));
-                                                    let _e1363 = ((_e1237.member[2] >> bitcast<u32>(_e1249)) & 1023u);
-                                                    let _e1371 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1363)) - 8388608f) * _e1260)) ^ _e136)));
-                                                    let _e1375 = select(select(_e828.member.member_1[0], _e1371, (_e1371 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1363 == 1023u));
-                                                    let _e1378 = ((_e1237.member[2] >> bitcast<u32>(_e1271)) & 1023u);
-                                                    let _e1386 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1378)) - 8388608f) * _e1282)) ^ _e136)));
-                                                    let _e1390 = select(select(_e828.member.member_1[1], _e1386, (_e1386 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1378 == 1023u));
-                                                    let _e1393 = ((_e1237.member[2] >> bitcast<u32>(_e1293)) & 1023u);
-                                                    let _e1401 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1393)) - 8388608f) * _e1304)) ^ _e136)));
-                                                    let _e1405 = select(select(_e828.member.member_1[2], _e1401, (_e1401 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1393 == 1023u));
-                                                    let _e1409 = (_e1313 - _e598);
-                                                    let _e1412 = (((_e1269 - _e465) * _e637) - (_e1409 * _e505));
-                                                    let _e1415 = (((_e1291 - _e532) * _e637) - (_e1409 * _e571));
-                                                    let _e1418 = (_e1359 - _e598);
-                                                    let _e1421 = (((_e1329 - _e465) * _e637) - (_e1418 * _e505));
-                                                    let _e1424 = (((_e1344 - _e532) * _e637) - (_e1418 * _e571));
-                                                    let _e1427 = (_e1405 - _e598);
-                                                    let _e1430 = (((_e1375 - _e465) * _e637) - (_e1427 * _e505));
-                                                    let _e1433 = (((_e1390 - _e532) * _e637) - (_e1427 * _e571));
-                                                    let _e1434 = (_e1430 * _e1424);
-                                                    let _e1435 = (_e1433 * _e1421);
-                                                    let _e1436 = (_e1412 * _e1433);
-                                                    let _e1437 = (_e1415 * _e1430);
-                                                    let _e1438 = (_e1421 * _e1415);
-                                                    let _e1439 = (_e1424 * _e1412);
-                                                    let _e1444 = (((_e1434 >= _e1435) && (_e1436 >= _e1437)) && (_e1438 >= _e1439));
-                                                    if (_e1444 || (((_e1434 <= _e1435) && (_e1436 <= _e1437)) && (_e1438 <= _e1439))) {
-                                                        let _e1451 = select(-1f, 1f, _e1444);
-                                                        let _e1453 = ((_e1434 - _e1435) * _e1451);
-                                                        let _e1455 = select(0f, _e1453, (_e1453 > 0f));
-                                                        let _e1457 = ((_e1436 - _e1437) * _e1451);
-                                                        let _e1459 = select(0f, _e1457, (_e1457 > 0f));
-                                                        let _e1461 = ((_e1438 - _e1439) * _e1451);
-                                                        let _e1463 = select(0f, _e1461, (_e1461 > 0f));
-                                                        let _e1465 = ((_e1455 + _e1459) + _e1463);
-                                                        if (_e1465 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e872 = phi_1492_;
+                                                    let _e884 = ((10u * _e418) & 31u);
+                                                    let _e887 = ((_e872.member[0] >> bitcast<u32>(_e884)) & 1023u);
+                                                    let _e895 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[0] - _e828.member.member[0]) * 0.0009775171f)) ^ _e136));
+                                                    let _e900 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e887)) - 8388608f) * _e895)) ^ _e136)));
+                                                    let _e904 = select(select(_e828.member.member_1[0], _e900, (_e900 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e887 == 1023u));
+                                                    let _e906 = ((10u * _e417) & 31u);
+                                                    let _e909 = ((_e872.member[0] >> bitcast<u32>(_e906)) & 1023u);
+                                                    let _e917 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[1] - _e828.member.member[1]) * 0.0009775171f)) ^ _e136));
+                                                    let _e922 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e909)) - 8388608f) * _e917)) ^ _e136)));
+                                                    let _e926 = select(select(_e828.member.member_1[1], _e922, (_e922 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e909 == 1023u));
+                                                    let _e928 = ((10u * _e419) & 31u);
+                                                    let _e931 = ((_e872.member[0] >> bitcast<u32>(_e928)) & 1023u);
+                                                    let _e939 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[2] - _e828.member.member[2]) * 0.0009775171f)) ^ _e136));
+                                                    let _e944 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e931)) - 8388608f) * _e939)) ^ _e136)));
+                                                    let _e948 = select(select(_e828.member.member_1[2], _e944, (_e944 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e931 == 1023u));
+                                                    let _e952 = ((_e872.member[1] >> bitcast<u32>(_e884)) & 1023u);
+                                                    let _e960 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e952)) - 8388608f) * _e895)) ^ _e136)));
+                                                    let _e964 = select(select(_e828.member.member_1[0], _e960, (_e960 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e952 == 1023u));
+                                                    let _e967 = ((_e872.member[1] >> bitcast<u32>(_e906)) & 1023u);
+                                                    let _e975 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e967)) - 8388608f) * _e917)) ^ _e136)));
+                                                    let _e979 = select(select(_e828.member.member_1[1], _e975, (_e975 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e967 == 1023u));
+                                                    let _e982 = ((_e872.member[1] >> bitcast<u32>(_e928)) & 1023u);
+                                                    let _e990 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e982)) - 8388608f) * _e939)) ^ _e136)));
+                                                    let _e994 = select(select(_e828.member.member_1[2], _e990, (_e990 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e982 == 1023u));
+                                                    let _e998 = ((_e872.member[2] >> bitcast<u32>(_e884)) & 1023u);
+                                                    let _e1006 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e998)) - 8388608f) * _e895)) ^ _e136)));
+                                                    let _e1010 = select(select(_e828.member.member_1[0], _e1006, (_e1006 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e998 == 1023u));
+                                                    let _e1013 = ((_e872.member[2] >> bitcast<u32>(_e906)) & 1023u);
+                                                    let _e1021 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1013)) - 8388608f) * _e917)) ^ _e136)));
+                                                    let _e1025 = select(select(_e828.member.member_1[1], _e1021, (_e1021 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1013 == 1023u));
+                                                    let _e1028 = ((_e872.member[2] >> bitcast<u32>(_e928)) & 1023u);
+                                                    let _e1036 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1028)) - 8388608f) * _e939)) ^ _e136)));
+                                                    let _e1040 = select(select(_e828.member.member_1[2], _e1036, (_e1036 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1028 == 1023u));
+                                                    let _e1044 = (_e948 - _e598);
+                                                    let _e1047 = (((_e904 - _e465) * _e637) - (_e1044 * _e505));
+                                                    let _e1050 = (((_e926 - _e532) * _e637) - (_e1044 * _e571));
+                                                    let _e1053 = (_e994 - _e598);
+                                                    let _e1056 = (((_e964 - _e465) * _e637) - (_e1053 * _e505));
+                                                    let _e1059 = (((_e979 - _e532) * _e637) - (_e1053 * _e571));
+                                                    let _e1062 = (_e1040 - _e598);
+                                                    let _e1065 = (((_e1010 - _e465) * _e637) - (_e1062 * _e505));
+                                                    let _e1068 = (((_e1025 - _e532) * _e637) - (_e1062 * _e571));
+                                                    let _e1069 = (_e1065 * _e1059);
+                                                    let _e1070 = (_e1068 * _e1056);
+                                                    let _e1071 = (_e1047 * _e1068);
+                                                    let _e1072 = (_e1050 * _e1065);
+                                                    let _e1073 = (_e1056 * _e1050);
+                                                    let _e1074 = (_e1059 * _e1047);
+                                                    let _e1079 = (((_e1069 >= _e1070) && (_e1071 >= _e1072)) && (_e1073 >= _e1074));
+                                                    if (_e1079 || (((_e1069 <= _e1070) && (_e1071 <= _e1072)) && (_e1073 <= _e1074))) {
+                                                        let _e1086 = select(-1f, 1f, _e1079);
+                                                        let _e1088 = ((_e1069 - _e1070) * _e1086);
+                                                        let _e1090 = select(0f, _e1088, (_e1088 > 0f));
+                                                        let _e1092 = ((_e1071 - _e1072) * _e1086);
+                                                        let _e1094 = select(0f, _e1092, (_e1092 > 0f));
+                                                        let _e1096 = ((_e1073 - _e1074) * _e1086);
+                                                        let _e1098 = select(0f, _e1096, (_e1096 > 0f));
+                                                        let _e1100 = ((_e1090 + _e1094) + _e1098);
+                                                        if (_e1100 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2638_ = type_22();
                                                             phi_2639_ = true;
                                                             phi_2640_ = false;
                                                         } else {
-                                                            let _e1468 = select(_e1421, _e1412, (_e1412 < _e1421));
-                                                            if (select(_e1430, _e1468, (_e1468 < _e1430)) > 0f) {
+                                                            let _e1103 = select(_e1056, _e1047, (_e1047 < _e1056));
+                                                            if (select(_e1065, _e1103, (_e1103 < _e1065)) > 0f) {
                                                                 phi_1930_ = true;
                                                             } else {
-                                                                let _e1473 = select(_e1421, _e1412, (_e1412 > _e1421));
-                                                                phi_1930_ = (select(_e1430, _e1473, (_e1473 > _e1430)) < 0f);
+                                                                let _e1108 = select(_e1056, _e1047, (_e1047 > _e1056));
+                                                                phi_1930_ = (select(_e1065, _e1108, (_e1108 > _e1065)) < 0f);
                                                             }
-                                                            let _e1478 = phi_1930_;
-                                                            if _e1478 {
+                                                            let _e1113 = phi_1930_;
+                                                            if _e1113 {
                                                                 phi_2635_ = type_22();
                                                                 phi_2636_ = true;
                                                                 phi_2637_ = false;
                                                             } else {
-                                                                let _e1480 = select(_e1424, _e1415, (_e1415 < _e1424));
-                                                                if (select(_e1433, _e1480, (_e1480 < _e1433)) > 0f) {
+                                                                let _e1115 = select(_e1059, _e1050, (_e1050 < _e1059));
+                                                                if (select(_e1068, _e1115, (_e1115 < _e1068)) > 0f) {
                                                                     phi_1959_ = true;
                                                                 } else {
-                                                                    let _e1485 = select(_e1424, _e1415, (_e1415 > _e1424));
-                                                                    phi_1959_ = (select(_e1433, _e1485, (_e1485 > _e1433)) < 0f);
+                                                                    let _e1120 = select(_e1059, _e1050, (_e1050 > _e1059));
+                                                                    phi_1959_ = (select(_e1068, _e1120, (_e1120 > _e1068)) < 0f);
                                                                 }
-                                                                let _e1490 = phi_1959_;
-                                                                if _e1490 {
+                                                                let _e1125 = phi_1959_;
+                                                                if _e1125 {
                                                                     phi_2633_ = type_22();
                                                                     phi_2634_ = false;
                                                                 } else {
-                                                                    let _e1492 = select(_e1329, _e1269, (_e1269 < _e1329));
-                                                                    let _e1496 = select(_e1329, _e1269, (_e1269 > _e1329));
-                                                                    let _e1500 = select(_e1344, _e1291, (_e1291 < _e1344));
-                                                                    let _e1504 = select(_e1344, _e1291, (_e1291 > _e1344));
-                                                                    let _e1508 = select(_e1359, _e1313, (_e1313 < _e1359));
-                                                                    let _e1512 = select(_e1359, _e1313, (_e1313 > _e1359));
-                                                                    let _e1517 = ((select(_e1375, _e1492, (_e1492 < _e1375)) - _e503) * _e508);
-                                                                    let _e1518 = ((select(_e1375, _e1496, (_e1496 > _e1375)) - _e504) * _e508);
-                                                                    let _e1521 = ((select(_e1390, _e1500, (_e1500 < _e1390)) - _e569) * _e574);
-                                                                    let _e1522 = ((select(_e1390, _e1504, (_e1504 > _e1390)) - _e570) * _e574);
-                                                                    let _e1525 = ((select(_e1405, _e1508, (_e1508 < _e1405)) - _e635) * _e640);
-                                                                    let _e1526 = ((select(_e1405, _e1512, (_e1512 > _e1405)) - _e636) * _e640);
-                                                                    let _e1528 = select(_e1526, _e1525, (_e1525 < _e1526));
-                                                                    let _e1530 = select(_e1526, _e1525, (_e1525 > _e1526));
-                                                                    let _e1532 = select(_e1518, _e1517, (_e1517 < _e1518));
-                                                                    let _e1534 = select(_e1522, _e1521, (_e1521 < _e1522));
-                                                                    let _e1536 = select(_e1534, _e1532, (_e1532 > _e1534));
-                                                                    let _e1538 = select(_e1528, _e1536, (_e1536 > _e1528));
-                                                                    let _e1540 = select(_e1518, _e1517, (_e1517 > _e1518));
-                                                                    let _e1542 = select(_e1522, _e1521, (_e1521 > _e1522));
-                                                                    let _e1544 = select(_e1542, _e1540, (_e1540 < _e1542));
-                                                                    let _e1546 = select(_e1530, _e1544, (_e1544 < _e1530));
-                                                                    let _e1547 = -(_e1528);
-                                                                    let _e1553 = select(_e751, _e1538, (_e1538 > _e751));
-                                                                    if (_e1553 > (_e1546 + (select(_e1547, _e1530, (_e1530 > _e1547)) * 0.0000019073523f))) {
+                                                                    let _e1127 = select(_e964, _e904, (_e904 < _e964));
+                                                                    let _e1131 = select(_e964, _e904, (_e904 > _e964));
+                                                                    let _e1135 = select(_e979, _e926, (_e926 < _e979));
+                                                                    let _e1139 = select(_e979, _e926, (_e926 > _e979));
+                                                                    let _e1143 = select(_e994, _e948, (_e948 < _e994));
+                                                                    let _e1147 = select(_e994, _e948, (_e948 > _e994));
+                                                                    let _e1152 = ((select(_e1010, _e1127, (_e1127 < _e1010)) - _e503) * _e508);
+                                                                    let _e1153 = ((select(_e1010, _e1131, (_e1131 > _e1010)) - _e504) * _e508);
+                                                                    let _e1156 = ((select(_e1025, _e1135, (_e1135 < _e1025)) - _e569) * _e574);
+                                                                    let _e1157 = ((select(_e1025, _e1139, (_e1139 > _e1025)) - _e570) * _e574);
+                                                                    let _e1160 = ((select(_e1040, _e1143, (_e1143 < _e1040)) - _e635) * _e640);
+                                                                    let _e1161 = ((select(_e1040, _e1147, (_e1147 > _e1040)) - _e636) * _e640);
+                                                                    let _e1163 = select(_e1161, _e1160, (_e1160 < _e1161));
+                                                                    let _e1165 = select(_e1161, _e1160, (_e1160 > _e1161));
+                                                                    let _e1167 = select(_e1153, _e1152, (_e1152 < _e1153));
+                                                                    let _e1169 = select(_e1157, _e1156, (_e1156 < _e1157));
+                                                                    let _e1171 = select(_e1169, _e1167, (_e1167 > _e1169));
+                                                                    let _e1173 = select(_e1163, _e1171, (_e1171 > _e1163));
+                                                                    let _e1175 = select(_e1153, _e1152, (_e1152 > _e1153));
+                                                                    let _e1177 = select(_e1157, _e1156, (_e1156 > _e1157));
+                                                                    let _e1179 = select(_e1177, _e1175, (_e1175 < _e1177));
+                                                                    let _e1181 = select(_e1165, _e1179, (_e1179 < _e1165));
+                                                                    let _e1182 = -(_e1163);
+                                                                    let _e1188 = select(_e751, _e1173, (_e1173 > _e751));
+                                                                    if (_e1188 > (_e1181 + (select(_e1182, _e1165, (_e1165 > _e1182)) * 0.0000019073523f))) {
                                                                         phi_2628_ = type_22();
                                                                         phi_2629_ = true;
                                                                     } else {
-                                                                        let _e1555 = (_e1553 > _e1205.member);
-                                                                        if _e1555 {
+                                                                        let _e1190 = (_e1188 > _e840.member);
+                                                                        if _e1190 {
                                                                             phi_2627_ = type_22();
                                                                         } else {
-                                                                            let _e1556 = vec3<f32>(_e1269, _e1291, _e1313);
-                                                                            let _e1557 = vec3<f32>(_e1329, _e1344, _e1359);
-                                                                            let _e1558 = vec3<f32>(_e1375, _e1390, _e1405);
-                                                                            let _e1559 = (_e1329 - _e1269);
-                                                                            let _e1560 = (_e1344 - _e1291);
-                                                                            let _e1561 = (_e1359 - _e1313);
-                                                                            let _e1562 = vec3<f32>(_e1559, _e1560, _e1561);
-                                                                            let _e1563 = (_e1375 - _e1329);
-                                                                            let _e1564 = (_e1390 - _e1344);
-                                                                            let _e1565 = (_e1405 - _e1359);
-                                                                            let _e1566 = vec3<f32>(_e1563, _e1564, _e1565);
-                                                                            let _e1567 = (_e1269 - _e1375);
-                                                                            let _e1568 = (_e1291 - _e1390);
-                                                                            let _e1569 = (_e1313 - _e1405);
-                                                                            let _e1570 = vec3<f32>(_e1567, _e1568, _e1569);
-                                                                            let _e1573 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
-                                                                            let _e1576 = bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u));
-                                                                            let _e1578 = select(_e1576, _e1573, (_e1573 > _e1576));
-                                                                            let _e1581 = bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u));
-                                                                            let _e1583 = select(_e1581, _e1578, (_e1578 > _e1581));
-                                                                            let _e1586 = bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u));
-                                                                            let _e1589 = bitcast<f32>((bitcast<u32>(_e1564) & 2147483647u));
-                                                                            let _e1591 = select(_e1589, _e1586, (_e1586 > _e1589));
-                                                                            let _e1594 = bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u));
-                                                                            let _e1596 = select(_e1594, _e1591, (_e1591 > _e1594));
-                                                                            let _e1599 = bitcast<f32>((bitcast<u32>(_e1567) & 2147483647u));
-                                                                            let _e1602 = bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u));
-                                                                            let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
-                                                                            let _e1607 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
-                                                                            let _e1609 = select(_e1607, _e1604, (_e1604 > _e1607));
-                                                                            let _e1611 = select(_e1596, _e1583, (_e1583 > _e1596));
-                                                                            let _e1613 = select(_e1609, _e1611, (_e1611 > _e1609));
-                                                                            if (_e1583 == _e1613) {
-                                                                                phi_2354_ = _e1424;
-                                                                                phi_2355_ = _e1421;
-                                                                                phi_2356_ = _e1415;
-                                                                                phi_2357_ = _e1412;
-                                                                                phi_2358_ = _e1556;
-                                                                                phi_2359_ = _e1570;
-                                                                                phi_2360_ = _e1566;
-                                                                                phi_2361_ = _e1562;
+                                                                            let _e1191 = vec3<f32>(_e904, _e926, _e948);
+                                                                            let _e1192 = vec3<f32>(_e964, _e979, _e994);
+                                                                            let _e1193 = vec3<f32>(_e1010, _e1025, _e1040);
+                                                                            let _e1194 = (_e964 - _e904);
+                                                                            let _e1195 = (_e979 - _e926);
+                                                                            let _e1196 = (_e994 - _e948);
+                                                                            let _e1197 = vec3<f32>(_e1194, _e1195, _e1196);
+                                                                            let _e1198 = (_e1010 - _e964);
+                                                                            let _e1199 = (_e1025 - _e979);
+                                                                            let _e1200 = (_e1040 - _e994);
+                                                                            let _e1201 = vec3<f32>(_e1198, _e1199, _e1200);
+                                                                            let _e1202 = (_e904 - _e1010);
+                                                                            let _e1203 = (_e926 - _e1025);
+                                                                            let _e1204 = (_e948 - _e1040);
+                                                                            let _e1205 = vec3<f32>(_e1202, _e1203, _e1204);
+                                                                            let _e1208 = bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u));
+                                                                            let _e1211 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
+                                                                            let _e1213 = select(_e1211, _e1208, (_e1208 > _e1211));
+                                                                            let _e1216 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
+                                                                            let _e1218 = select(_e1216, _e1213, (_e1213 > _e1216));
+                                                                            let _e1221 = bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u));
+                                                                            let _e1224 = bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u));
+                                                                            let _e1226 = select(_e1224, _e1221, (_e1221 > _e1224));
+                                                                            let _e1229 = bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u));
+                                                                            let _e1231 = select(_e1229, _e1226, (_e1226 > _e1229));
+                                                                            let _e1234 = bitcast<f32>((bitcast<u32>(_e1202) & 2147483647u));
+                                                                            let _e1237 = bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u));
+                                                                            let _e1239 = select(_e1237, _e1234, (_e1234 > _e1237));
+                                                                            let _e1242 = bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u));
+                                                                            let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
+                                                                            let _e1246 = select(_e1231, _e1218, (_e1218 > _e1231));
+                                                                            let _e1248 = select(_e1244, _e1246, (_e1246 > _e1244));
+                                                                            if (_e1218 == _e1248) {
+                                                                                phi_2354_ = _e1059;
+                                                                                phi_2355_ = _e1056;
+                                                                                phi_2356_ = _e1050;
+                                                                                phi_2357_ = _e1047;
+                                                                                phi_2358_ = _e1191;
+                                                                                phi_2359_ = _e1205;
+                                                                                phi_2360_ = _e1201;
+                                                                                phi_2361_ = _e1197;
                                                                             } else {
-                                                                                let _e1615 = (_e1596 == _e1613);
-                                                                                let _e1620 = vec3(_e1615);
-                                                                                phi_2354_ = select(_e1415, _e1433, _e1615);
-                                                                                phi_2355_ = select(_e1412, _e1430, _e1615);
-                                                                                phi_2356_ = select(_e1433, _e1424, _e1615);
-                                                                                phi_2357_ = select(_e1430, _e1421, _e1615);
-                                                                                phi_2358_ = select(_e1558, _e1557, _e1620);
-                                                                                phi_2359_ = select(_e1566, _e1562, _e1620);
-                                                                                phi_2360_ = select(_e1562, _e1570, _e1620);
-                                                                                phi_2361_ = select(_e1570, _e1566, _e1620);
+                                                                                let _e1250 = (_e1231 == _e1248);
+                                                                                let _e1255 = vec3(_e1250);
+                                                                                phi_2354_ = select(_e1050, _e1068, _e1250);
+                                                                                phi_2355_ = select(_e1047, _e1065, _e1250);
+                                                                                phi_2356_ = select(_e1068, _e1059, _e1250);
+                                                                                phi_2357_ = select(_e1065, _e1056, _e1250);
+                                                                                phi_2358_ = select(_e1193, _e1192, _e1255);
+                                                                                phi_2359_ = select(_e1201, _e1197, _e1255);
+                                                                                phi_2360_ = select(_e1197, _e1205, _e1255);
+                                                                                phi_2361_ = select(_e1205, _e1201, _e1255);
                                                                             }
-                                                                            let _e1626 = phi_2354_;
-                                                                            let _e1628 = phi_2355_;
-                                                                            let _e1630 = phi_2356_;
-                                                                            let _e1632 = phi_2357_;
-                                                                            let _e1634 = phi_2358_;
-                                                                            let _e1636 = phi_2359_;
-                                                                            let _e1638 = phi_2360_;
-                                                                            let _e1640 = phi_2361_;
-                                                                            let _e1647 = ((_e1638.y * _e1636.z) - (_e1636.y * _e1638.z));
-                                                                            let _e1652 = ((_e1638.z * _e1636.x) - (_e1636.z * _e1638.x));
-                                                                            let _e1655 = ((_e1638.x * _e1636.y) - (_e1636.x * _e1638.y));
-                                                                            if (_e1455 >= _e1459) {
-                                                                                phi_2398_ = select(true, false, (_e1455 >= _e1463));
+                                                                            let _e1261 = phi_2354_;
+                                                                            let _e1263 = phi_2355_;
+                                                                            let _e1265 = phi_2356_;
+                                                                            let _e1267 = phi_2357_;
+                                                                            let _e1269 = phi_2358_;
+                                                                            let _e1271 = phi_2359_;
+                                                                            let _e1273 = phi_2360_;
+                                                                            let _e1275 = phi_2361_;
+                                                                            let _e1282 = ((_e1273.y * _e1271.z) - (_e1271.y * _e1273.z));
+                                                                            let _e1287 = ((_e1273.z * _e1271.x) - (_e1271.z * _e1273.x));
+                                                                            let _e1290 = ((_e1273.x * _e1271.y) - (_e1271.x * _e1273.y));
+                                                                            if (_e1090 >= _e1094) {
+                                                                                phi_2398_ = select(true, false, (_e1090 >= _e1098));
                                                                             } else {
                                                                                 phi_2398_ = true;
                                                                             }
-                                                                            let _e1660 = phi_2398_;
-                                                                            if _e1660 {
-                                                                                phi_2407_ = select(_e1558, _e1557, vec3((_e1459 >= _e1463)));
+                                                                            let _e1295 = phi_2398_;
+                                                                            if _e1295 {
+                                                                                phi_2407_ = select(_e1193, _e1192, vec3((_e1094 >= _e1098)));
                                                                             } else {
-                                                                                phi_2407_ = _e1556;
+                                                                                phi_2407_ = _e1191;
                                                                             }
-                                                                            let _e1665 = phi_2407_;
-                                                                            let _e1676 = (((_e1647 * (_e1665.x - _e465)) + (_e1652 * (_e1665.y - _e532))) + (_e1655 * (_e1665.z - _e598)));
-                                                                            let _e1681 = (((_e1647 * _e505) + (_e1652 * _e571)) + (_e1655 * _e637));
-                                                                            let _e1682 = (_e1628 - _e1632);
-                                                                            let _e1683 = (_e1626 - _e1630);
-                                                                            let _e1691 = (-(((_e1632 * _e1682) + (_e1630 * _e1683))) / ((_e1682 * _e1682) + (_e1683 * _e1683)));
-                                                                            let _e1693 = select(1f, _e1691, (_e1691 < 1f));
-                                                                            let _e1695 = select(0f, _e1693, (_e1693 > 0f));
-                                                                            let _e1708 = ((_e1634.x + (_e1640.x * _e1695)) - _e465);
-                                                                            let _e1709 = ((_e1634.y + (_e1640.y * _e1695)) - _e532);
-                                                                            let _e1710 = ((_e1634.z + (_e1640.z * _e1695)) - _e598);
-                                                                            let _e1711 = (_e1710 / _e637);
-                                                                            let _e1723 = bitcast<f32>((bitcast<u32>(_e1708) & 2147483647u));
-                                                                            let _e1726 = bitcast<f32>((bitcast<u32>(_e1709) & 2147483647u));
-                                                                            let _e1728 = select(_e1726, _e1723, (_e1723 > _e1726));
-                                                                            let _e1731 = bitcast<f32>((bitcast<u32>(_e1710) & 2147483647u));
-                                                                            let _e1733 = select(_e1731, _e1728, (_e1728 > _e1731));
-                                                                            let _e1739 = bitcast<f32>((bitcast<u32>(_e1647) & 2147483647u));
-                                                                            let _e1742 = bitcast<f32>((bitcast<u32>(_e1652) & 2147483647u));
-                                                                            let _e1744 = select(_e1742, _e1739, (_e1739 > _e1742));
-                                                                            let _e1747 = bitcast<f32>((bitcast<u32>(_e1655) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1647 * _e1708) + (_e1652 * _e1709)) + (_e1655 * _e1710)) - _e1676)) & 2147483647u)) <= ((0.0000009536743f * select(_e1613, _e1733, (_e1733 > _e1613))) * select(_e1747, _e1744, (_e1744 > _e1747)))) {
-                                                                                let _e1757 = bitcast<f32>((bitcast<u32>(_e1638.x) & 2147483647u));
-                                                                                let _e1760 = bitcast<f32>((bitcast<u32>(_e1638.y) & 2147483647u));
-                                                                                let _e1762 = select(_e1760, _e1757, (_e1757 > _e1760));
-                                                                                let _e1765 = bitcast<f32>((bitcast<u32>(_e1638.z) & 2147483647u));
-                                                                                let _e1771 = bitcast<f32>((bitcast<u32>(_e1636.x) & 2147483647u));
-                                                                                let _e1774 = bitcast<f32>((bitcast<u32>(_e1636.y) & 2147483647u));
-                                                                                let _e1776 = select(_e1774, _e1771, (_e1771 > _e1774));
-                                                                                let _e1779 = bitcast<f32>((bitcast<u32>(_e1636.z) & 2147483647u));
-                                                                                let _e1783 = (bitcast<f32>((bitcast<u32>(_e1681) & 2147483647u)) > ((0.0000038146973f * select(_e1765, _e1762, (_e1762 > _e1765))) * select(_e1779, _e1776, (_e1776 > _e1779))));
-                                                                                if _e1783 {
-                                                                                    phi_2572_ = (_e1676 / _e1681);
+                                                                            let _e1300 = phi_2407_;
+                                                                            let _e1311 = (((_e1282 * (_e1300.x - _e465)) + (_e1287 * (_e1300.y - _e532))) + (_e1290 * (_e1300.z - _e598)));
+                                                                            let _e1316 = (((_e1282 * _e505) + (_e1287 * _e571)) + (_e1290 * _e637));
+                                                                            let _e1317 = (_e1263 - _e1267);
+                                                                            let _e1318 = (_e1261 - _e1265);
+                                                                            let _e1326 = (-(((_e1267 * _e1317) + (_e1265 * _e1318))) / ((_e1317 * _e1317) + (_e1318 * _e1318)));
+                                                                            let _e1328 = select(1f, _e1326, (_e1326 < 1f));
+                                                                            let _e1330 = select(0f, _e1328, (_e1328 > 0f));
+                                                                            let _e1343 = ((_e1269.x + (_e1275.x * _e1330)) - _e465);
+                                                                            let _e1344 = ((_e1269.y + (_e1275.y * _e1330)) - _e532);
+                                                                            let _e1345 = ((_e1269.z + (_e1275.z * _e1330)) - _e598);
+                                                                            let _e1346 = (_e1345 / _e637);
+                                                                            let _e1358 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
+                                                                            let _e1361 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
+                                                                            let _e1363 = select(_e1361, _e1358, (_e1358 > _e1361));
+                                                                            let _e1366 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
+                                                                            let _e1368 = select(_e1366, _e1363, (_e1363 > _e1366));
+                                                                            let _e1374 = bitcast<f32>((bitcast<u32>(_e1282) & 2147483647u));
+                                                                            let _e1377 = bitcast<f32>((bitcast<u32>(_e1287) & 2147483647u));
+                                                                            let _e1379 = select(_e1377, _e1374, (_e1374 > _e1377));
+                                                                            let _e1382 = bitcast<f32>((bitcast<u32>(_e1290) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1282 * _e1343) + (_e1287 * _e1344)) + (_e1290 * _e1345)) - _e1311)) & 2147483647u)) <= ((0.0000009536743f * select(_e1248, _e1368, (_e1368 > _e1248))) * select(_e1382, _e1379, (_e1379 > _e1382)))) {
+                                                                                let _e1392 = bitcast<f32>((bitcast<u32>(_e1273.x) & 2147483647u));
+                                                                                let _e1395 = bitcast<f32>((bitcast<u32>(_e1273.y) & 2147483647u));
+                                                                                let _e1397 = select(_e1395, _e1392, (_e1392 > _e1395));
+                                                                                let _e1400 = bitcast<f32>((bitcast<u32>(_e1273.z) & 2147483647u));
+                                                                                let _e1406 = bitcast<f32>((bitcast<u32>(_e1271.x) & 2147483647u));
+                                                                                let _e1409 = bitcast<f32>((bitcast<u32>(_e1271.y) & 2147483647u));
+                                                                                let _e1411 = select(_e1409, _e1406, (_e1406 > _e1409));
+                                                                                let _e1414 = bitcast<f32>((bitcast<u32>(_e1271.z) & 2147483647u));
+                                                                                let _e1418 = (bitcast<f32>((bitcast<u32>(_e1316) & 2147483647u)) > ((0.0000038146973f * select(_e1400, _e1397, (_e1397 > _e1400))) * select(_e1414, _e1411, (_e1411 > _e1414))));
+                                                                                if _e1418 {
+                                                                                    phi_2572_ = (_e1311 / _e1316);
                                                                                 } else {
                                                                                     phi_2572_ = f32();
                                                                                 }
-                                                                                let _e1786 = phi_2572_;
-                                                                                phi_2574_ = _e1786;
-                                                                                phi_2575_ = select(true, false, _e1783);
+                                                                                let _e1421 = phi_2572_;
+                                                                                phi_2574_ = _e1421;
+                                                                                phi_2575_ = select(true, false, _e1418);
                                                                             } else {
                                                                                 phi_2574_ = f32();
                                                                                 phi_2575_ = true;
                                                                             }
-                                                                            let _e1789 = phi_2574_;
-                                                                            let _e1791 = phi_2575_;
-                                                                            if _e1791 {
-                                                                                let _e1799 = (((_e1647 * (_e1708 - (_e505 * _e1711))) + (_e1652 * (_e1709 - (_e571 * _e1711)))) / _e1681);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1799) & 2147483647u)) <= _e1613) {
-                                                                                    phi_2595_ = (_e1711 + _e1799);
+                                                                            let _e1424 = phi_2574_;
+                                                                            let _e1426 = phi_2575_;
+                                                                            if _e1426 {
+                                                                                let _e1434 = (((_e1282 * (_e1343 - (_e505 * _e1346))) + (_e1287 * (_e1344 - (_e571 * _e1346)))) / _e1316);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u)) <= _e1248) {
+                                                                                    phi_2595_ = (_e1346 + _e1434);
                                                                                 } else {
-                                                                                    phi_2595_ = _e1711;
+                                                                                    phi_2595_ = _e1346;
                                                                                 }
-                                                                                let _e1806 = phi_2595_;
-                                                                                phi_2596_ = _e1806;
+                                                                                let _e1441 = phi_2595_;
+                                                                                phi_2596_ = _e1441;
                                                                             } else {
-                                                                                phi_2596_ = _e1789;
+                                                                                phi_2596_ = _e1424;
                                                                             }
-                                                                            let _e1808 = phi_2596_;
-                                                                            let _e1810 = select(_e1546, _e1808, (_e1808 < _e1546));
-                                                                            let _e1812 = select(_e1538, _e1810, (_e1810 > _e1538));
-                                                                            if (_e1812 >= _e751) {
-                                                                                let _e1814 = (_e1812 <= _e1205.member);
-                                                                                if _e1814 {
-                                                                                    let _e1815 = (1f / _e1465);
-                                                                                    phi_2619_ = type_22(_e1812, (_e1459 * _e1815), (_e1463 * _e1815), _e1233);
+                                                                            let _e1443 = phi_2596_;
+                                                                            let _e1445 = select(_e1181, _e1443, (_e1443 < _e1181));
+                                                                            let _e1447 = select(_e1173, _e1445, (_e1445 > _e1173));
+                                                                            if (_e1447 >= _e751) {
+                                                                                let _e1449 = (_e1447 <= _e840.member);
+                                                                                if _e1449 {
+                                                                                    let _e1450 = (1f / _e1100);
+                                                                                    phi_2619_ = type_22(_e1447, (_e1094 * _e1450), (_e1098 * _e1450), _e868);
                                                                                 } else {
                                                                                     phi_2619_ = type_22();
                                                                                 }
-                                                                                let _e1820 = phi_2619_;
-                                                                                phi_2621_ = _e1820;
-                                                                                phi_2622_ = select(true, false, _e1814);
+                                                                                let _e1455 = phi_2619_;
+                                                                                phi_2621_ = _e1455;
+                                                                                phi_2622_ = select(true, false, _e1449);
                                                                             } else {
                                                                                 phi_2621_ = type_22();
                                                                                 phi_2622_ = true;
                                                                             }
-                                                                            let _e1823 = phi_2621_;
-                                                                            let _e1825 = phi_2622_;
-                                                                            if _e1825 {
+                                                                            let _e1458 = phi_2621_;
+                                                                            let _e1460 = phi_2622_;
+                                                                            if _e1460 {
                                                                                 phi_2626_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2626_ = _e1823;
+                                                                                phi_2626_ = _e1458;
                                                                             }
-                                                                            let _e1827 = phi_2626_;
-                                                                            phi_2627_ = _e1827;
+                                                                            let _e1462 = phi_2626_;
+                                                                            phi_2627_ = _e1462;
                                                                         }
-                                                                        let _e1829 = phi_2627_;
-                                                                        phi_2628_ = _e1829;
-                                                                        phi_2629_ = _e1555;
+                                                                        let _e1464 = phi_2627_;
+                                                                        phi_2628_ = _e1464;
+                                                                        phi_2629_ = _e1190;
                                                                     }
-                                                                    let _e1831 = phi_2628_;
-                                                                    let _e1833 = phi_2629_;
-                                                                    phi_2633_ = _e1831;
-                                                                    phi_2634_ = _e1833;
+                                                                    let _e1466 = phi_2628_;
+                                                                    let _e1468 = phi_2629_;
+                                                                    phi_2633_ = _e1466;
+                                                                    phi_2634_ = _e1468;
                                                                 }
-                                                                let _e1835 = phi_2633_;
-                                                                let _e1837 = phi_2634_;
-                                                                phi_2635_ = _e1835;
-                                                                phi_2636_ = _e1490;
-                                                                phi_2637_ = _e1837;
+                                                                let _e1470 = phi_2633_;
+                                                                let _e1472 = phi_2634_;
+                                                                phi_2635_ = _e1470;
+                                                                phi_2636_ = _e1125;
+                                                                phi_2637_ = _e1472;
                                                             }
-                                                            let _e1839 = phi_2635_;
-                                                            let _e1841 = phi_2636_;
-                                                            let _e1843 = phi_2637_;
-                                                            phi_2638_ = _e1839;
-                                                            phi_2639_ = _e1841;
-                                                            phi_2640_ = _e1843;
+                                                            let _e1474 = phi_2635_;
+                                                            let _e1476 = phi_2636_;
+                                                            let _e1478 = phi_2637_;
+                                                            phi_2638_ = _e1474;
+                                                            phi_2639_ = _e1476;
+                                                            phi_2640_ = _e1478;
                                                         }
-                                                        let _e1845 = phi_2638_;
-                                                        let _e1847 = phi_2639_;
-                                                        let _e1849 = phi_2640_;
-                                                        phi_2648_ = _e1845;
-                                                        phi_2649_ = select(_e1849, true, _e1847);
+                                                        let _e1480 = phi_2638_;
+                                                        let _e1482 = phi_2639_;
+                                                        let _e1484 = phi_2640_;
+                                                        phi_2648_ = _e1480;
+                                                        phi_2649_ = select(_e1484, true, _e1482);
                                                     } else {
                                                         phi_2648_ = type_22();
                                                         phi_2649_ = true;
                                                     }
-                                                    let _e1852 = phi_2648_;
-                                                    let _e1854 = phi_2649_;
-                                                    if _e1854 {
+                                                    let _e1487 = phi_2648_;
+                                                    let _e1489 = phi_2649_;
+                                                    if _e1489 {
                                                         phi_2653_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2653_ = _e1852;
+                                                        phi_2653_ = _e1487;
                                                     }
-                                                    let _e1856 = phi_2653_;
-                                                    if (_e1856.member_3 != 4294967295u) {
-                                                        if (_e1233 == _e153) {
+                                                    let _e1491 = phi_2653_;
+                                                    if (_e1491.member_3 != 4294967295u) {
+                                                        if (_e868 == _e153) {
                                                             phi_2976_ = false;
                                                         } else {
-                                                            let _e1860 = (_e1233 < arrayLength((&global_5.member)));
-                                                            if _e1860 {
-                                                                if _e1860 {
+                                                            let _e1495 = (_e868 < arrayLength((&global_5.member)));
+                                                            if _e1495 {
+                                                                if _e1495 {
                                                                 } else {
-                                                                    phi_4103_ = true;
+                                                                    phi_4106_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1862 = global_5.member[_e1233];
-                                                                phi_2676_ = _e1862;
+                                                                let _e1497 = global_5.member[_e868];
+                                                                phi_2676_ = _e1497;
                                                             } else {
                                                                 phi_2676_ = 4294967295u;
                                                             }
-                                                            let _e1864 = phi_2676_;
-                                                            let _e1865 = (_e1864 < arrayLength((&global_6.member)));
-                                                            if _e1865 {
-                                                                if _e1865 {
+                                                            let _e1499 = phi_2676_;
+                                                            let _e1500 = (_e1499 < arrayLength((&global_6.member)));
+                                                            if _e1500 {
+                                                                if _e1500 {
                                                                 } else {
-                                                                    phi_4103_ = true;
+                                                                    phi_4106_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1867 = global_6.member[_e1864];
-                                                                phi_2690_ = _e1867;
+                                                                let _e1502 = global_6.member[_e1499];
+                                                                phi_2690_ = _e1502;
                                                             } else {
                                                                 phi_2690_ = 0i;
                                                             }
-                                                            let _e1869 = phi_2690_;
-                                                            let _e1870 = (_e1869 == 0i);
-                                                            if _e1870 {
+                                                            let _e1504 = phi_2690_;
+                                                            let _e1505 = (_e1504 == 0i);
+                                                            if _e1505 {
                                                                 phi_2975_ = true;
                                                             } else {
                                                                 if _e442 {
-                                                                    phi_2709_ = vec3<f32>(_e1269, _e1291, _e1313);
+                                                                    phi_2709_ = vec3<f32>(_e904, _e926, _e948);
                                                                 } else {
                                                                     if (_e418 == 1u) {
-                                                                        phi_2708_ = vec3<f32>(_e1313, _e1269, _e1291);
+                                                                        phi_2708_ = vec3<f32>(_e948, _e904, _e926);
                                                                     } else {
-                                                                        phi_2708_ = vec3<f32>(_e1291, _e1313, _e1269);
+                                                                        phi_2708_ = vec3<f32>(_e926, _e948, _e904);
                                                                     }
-                                                                    let _e1875 = phi_2708_;
-                                                                    phi_2709_ = _e1875;
+                                                                    let _e1510 = phi_2708_;
+                                                                    phi_2709_ = _e1510;
                                                                 }
-                                                                let _e1878 = phi_2709_;
+                                                                let _e1513 = phi_2709_;
                                                                 if _e442 {
-                                                                    phi_2724_ = vec3<f32>(_e1329, _e1344, _e1359);
+                                                                    phi_2724_ = vec3<f32>(_e964, _e979, _e994);
                                                                 } else {
                                                                     if (_e418 == 1u) {
-                                                                        phi_2723_ = vec3<f32>(_e1359, _e1329, _e1344);
+                                                                        phi_2723_ = vec3<f32>(_e994, _e964, _e979);
                                                                     } else {
-                                                                        phi_2723_ = vec3<f32>(_e1344, _e1359, _e1329);
+                                                                        phi_2723_ = vec3<f32>(_e979, _e994, _e964);
                                                                     }
-                                                                    let _e1883 = phi_2723_;
-                                                                    phi_2724_ = _e1883;
+                                                                    let _e1518 = phi_2723_;
+                                                                    phi_2724_ = _e1518;
                                                                 }
-                                                                let _e1886 = phi_2724_;
+                                                                let _e1521 = phi_2724_;
                                                                 if _e442 {
-                                                                    phi_2739_ = vec3<f32>(_e1375, _e1390, _e1405);
+                                                                    phi_2739_ = vec3<f32>(_e1010, _e1025, _e1040);
                                                                 } else {
                                                                     if (_e418 == 1u) {
-                                                                        phi_2738_ = vec3<f32>(_e1405, _e1375, _e1390);
+                                                                        phi_2738_ = vec3<f32>(_e1040, _e1010, _e1025);
                                                                     } else {
-                                                                        phi_2738_ = vec3<f32>(_e1390, _e1405, _e1375);
+                                                                        phi_2738_ = vec3<f32>(_e1025, _e1040, _e1010);
                                                                     }
-                                                                    let _e1891 = phi_2738_;
-                                                                    phi_2739_ = _e1891;
+                                                                    let _e1526 = phi_2738_;
+                                                                    phi_2739_ = _e1526;
                                                                 }
-                                                                let _e1894 = phi_2739_;
-                                                                let _e1897 = (_e1886.x - _e1878.x);
-                                                                let _e1900 = (_e1886.y - _e1878.y);
-                                                                let _e1903 = (_e1886.z - _e1878.z);
-                                                                let _e1905 = (_e1894.x - _e1878.x);
-                                                                let _e1907 = (_e1894.y - _e1878.y);
-                                                                let _e1909 = (_e1894.z - _e1878.z);
+                                                                let _e1529 = phi_2739_;
+                                                                let _e1532 = (_e1521.x - _e1513.x);
+                                                                let _e1535 = (_e1521.y - _e1513.y);
+                                                                let _e1538 = (_e1521.z - _e1513.z);
+                                                                let _e1540 = (_e1529.x - _e1513.x);
+                                                                let _e1542 = (_e1529.y - _e1513.y);
+                                                                let _e1544 = (_e1529.z - _e1513.z);
                                                                 if (_e285.member_1 == 1u) {
-                                                                    phi_2775_ = (vec3<f32>(_e285.member[0], _e285.member[1], _e285.member[2]) - _e1878);
+                                                                    phi_2775_ = (vec3<f32>(_e285.member[0], _e285.member[1], _e285.member[2]) - _e1513);
                                                                 } else {
                                                                     phi_2775_ = vec3<f32>(_e285.member[0], _e285.member[1], _e285.member[2]);
                                                                 }
-                                                                let _e1924 = phi_2775_;
-                                                                let _e1930 = bitcast<f32>((bitcast<u32>((_e1897 * _e1907)) ^ _e285.member_3[0]));
-                                                                let _e1934 = bitcast<f32>((bitcast<u32>((_e1900 * _e1905)) ^ _e285.member_3[0]));
-                                                                let _e1938 = bitcast<f32>((bitcast<u32>((_e1900 * _e1909)) ^ _e285.member_3[0]));
-                                                                let _e1942 = bitcast<f32>((bitcast<u32>((_e1903 * _e1907)) ^ _e285.member_3[0]));
-                                                                let _e1946 = bitcast<f32>((bitcast<u32>((_e1903 * _e1905)) ^ _e285.member_3[0]));
-                                                                let _e1950 = bitcast<f32>((bitcast<u32>((_e1897 * _e1909)) ^ _e285.member_3[0]));
-                                                                let _e1951 = (_e1938 - _e1942);
-                                                                let _e1952 = (_e1946 - _e1950);
-                                                                let _e1953 = (_e1930 - _e1934);
-                                                                let _e1977 = (bitcast<f32>((bitcast<u32>(_e1938) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1942) & 2147483647u)));
-                                                                let _e1984 = (bitcast<f32>((bitcast<u32>(_e1946) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1950) & 2147483647u)));
-                                                                let _e1991 = (bitcast<f32>((bitcast<u32>(_e1930) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1934) & 2147483647u)));
+                                                                let _e1559 = phi_2775_;
+                                                                let _e1565 = bitcast<f32>((bitcast<u32>((_e1532 * _e1542)) ^ _e285.member_3[0]));
+                                                                let _e1569 = bitcast<f32>((bitcast<u32>((_e1535 * _e1540)) ^ _e285.member_3[0]));
+                                                                let _e1573 = bitcast<f32>((bitcast<u32>((_e1535 * _e1544)) ^ _e285.member_3[0]));
+                                                                let _e1577 = bitcast<f32>((bitcast<u32>((_e1538 * _e1542)) ^ _e285.member_3[0]));
+                                                                let _e1581 = bitcast<f32>((bitcast<u32>((_e1538 * _e1540)) ^ _e285.member_3[0]));
+                                                                let _e1585 = bitcast<f32>((bitcast<u32>((_e1532 * _e1544)) ^ _e285.member_3[0]));
+                                                                let _e1586 = (_e1573 - _e1577);
+                                                                let _e1587 = (_e1581 - _e1585);
+                                                                let _e1588 = (_e1565 - _e1569);
+                                                                let _e1612 = (bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)));
+                                                                let _e1619 = (bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u)));
+                                                                let _e1626 = (bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u)));
                                                                 if (_e285.member_2 == 0f) {
                                                                     phi_2957_ = 0f;
                                                                 } else {
-                                                                    let _e2021 = bitcast<f32>((bitcast<u32>(_e1951) & 2147483647u));
-                                                                    let _e2024 = bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u));
-                                                                    let _e2027 = bitcast<f32>((bitcast<u32>(_e1953) & 2147483647u));
-                                                                    let _e2029 = select(_e2027, _e2024, (_e2024 > _e2027));
-                                                                    let _e2033 = select(_e2027, _e2024, (_e2024 < _e2027));
-                                                                    let _e2037 = select(_e2024, _e2021, (_e2021 < _e2024));
-                                                                    let _e2039 = select(_e2024, _e2021, (_e2021 > _e2024));
-                                                                    let _e2041 = select(_e2027, _e2039, (_e2039 < _e2027));
-                                                                    phi_2957_ = bitcast<f32>((bitcast<u32>((_e285.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2029, _e2021, (_e2021 > _e2029)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2041, _e2037, (_e2037 > _e2041)))) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2033, _e2021, (_e2021 < _e2033)))) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1977 + _e1984) + _e1991))) ^ _e285.member_3[0]))) * 1.0000005f)) ^ _e285.member_3[0])))) ^ _e285.member_3[0]));
+                                                                    let _e1656 = bitcast<f32>((bitcast<u32>(_e1586) & 2147483647u));
+                                                                    let _e1659 = bitcast<f32>((bitcast<u32>(_e1587) & 2147483647u));
+                                                                    let _e1662 = bitcast<f32>((bitcast<u32>(_e1588) & 2147483647u));
+                                                                    let _e1664 = select(_e1662, _e1659, (_e1659 > _e1662));
+                                                                    let _e1668 = select(_e1662, _e1659, (_e1659 < _e1662));
+                                                                    let _e1672 = select(_e1659, _e1656, (_e1656 < _e1659));
+                                                                    let _e1674 = select(_e1659, _e1656, (_e1656 > _e1659));
+                                                                    let _e1676 = select(_e1662, _e1674, (_e1674 < _e1662));
+                                                                    phi_2957_ = bitcast<f32>((bitcast<u32>((_e285.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1664, _e1656, (_e1656 > _e1664)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1676, _e1672, (_e1672 > _e1676)))) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1668, _e1656, (_e1656 < _e1668)))) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1612 + _e1619) + _e1626))) ^ _e285.member_3[0]))) * 1.0000005f)) ^ _e285.member_3[0])))) ^ _e285.member_3[0]));
                                                                 }
-                                                                let _e2068 = phi_2957_;
-                                                                phi_2975_ = (_e1870 || !(((((bitcast<f32>((bitcast<u32>((_e1924.x * _e1951)) ^ _e285.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1924.y * _e1952)) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1924.z * _e1953)) ^ _e285.member_3[0]))) * f32(-(_e1869))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1924.x) & 2147483647u)) * _e1977)) ^ _e285.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1924.y) & 2147483647u)) * _e1984)) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1924.z) & 2147483647u)) * _e1991)) ^ _e285.member_3[0]))))) ^ _e285.member_3[0])) + _e2068) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1703 = phi_2957_;
+                                                                phi_2975_ = (_e1505 || !(((((bitcast<f32>((bitcast<u32>((_e1559.x * _e1586)) ^ _e285.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1559.y * _e1587)) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1559.z * _e1588)) ^ _e285.member_3[0]))) * f32(-(_e1504))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1559.x) & 2147483647u)) * _e1612)) ^ _e285.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1559.y) & 2147483647u)) * _e1619)) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1559.z) & 2147483647u)) * _e1626)) ^ _e285.member_3[0]))))) ^ _e285.member_3[0])) + _e1703) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2082 = phi_2975_;
-                                                            phi_2976_ = _e2082;
+                                                            let _e1717 = phi_2975_;
+                                                            phi_2976_ = _e1717;
                                                         }
-                                                        let _e2084 = phi_2976_;
-                                                        if _e2084 {
-                                                            phi_2981_ = type_40(_e1205.member, true);
+                                                        let _e1719 = phi_2976_;
+                                                        if _e1719 {
+                                                            phi_2981_ = type_40(_e840.member, true);
                                                         } else {
-                                                            phi_2981_ = _e1205;
+                                                            phi_2981_ = _e840;
                                                         }
-                                                        let _e2089 = phi_2981_;
-                                                        phi_2982_ = _e2089;
+                                                        let _e1724 = phi_2981_;
+                                                        phi_2982_ = _e1724;
                                                     } else {
-                                                        phi_2982_ = _e1205;
+                                                        phi_2982_ = _e840;
                                                     }
-                                                    let _e2091 = phi_2982_;
-                                                    phi_1426_ = _e2091;
+                                                    let _e1726 = phi_2982_;
+                                                    phi_1426_ = _e1726;
                                                 } else {
                                                     phi_1426_ = type_40();
                                                 }
-                                                let _e2093 = phi_1426_;
+                                                let _e1728 = phi_1426_;
                                                 continue;
                                                 continuing {
-                                                    phi_1425_ = _e2093;
-                                                    phi_1428_ = _e1220;
-                                                    phi_4103_ = _e783;
-                                                    break if !(_e1226);
+                                                    phi_1425_ = _e1728;
+                                                    phi_1428_ = _e855;
+                                                    phi_4106_ = _e783;
+                                                    break if !(_e861);
                                                 }
                                             }
-                                            let _e2096 = phi_4103_;
-                                            phi_4313_ = _e2096;
-                                            if _e2096 {
+                                            let _e1731 = phi_4106_;
+                                            phi_4316_ = _e1731;
+                                            if _e1731 {
                                                 break;
                                             }
-                                            let _e2098 = local_10;
-                                            phi_4317_ = _e2096;
-                                            let _e2303 = local_12;
-                                            phi_3997_ = _e2303;
-                                            phi_3998_ = false;
-                                            phi_3999_ = select(_e826, 0u, _e2098.member_1);
-                                            phi_4000_ = _e828;
+                                            phi_4375_ = _e1731;
+                                            let _e2293 = local_11;
+                                            phi_2983_ = _e2293;
                                         } else {
-                                            let _e838 = (_e828.member_1 < _e93);
-                                            if _e838 {
-                                                if _e838 {
+                                            phi_4375_ = _e783;
+                                            phi_2983_ = _e785;
+                                        }
+                                        let _e1733 = phi_4375_;
+                                        let _e1735 = phi_2983_;
+                                        if _e832 {
+                                            phi_3990_ = bool();
+                                            phi_3991_ = u32();
+                                            phi_3992_ = type_62();
+                                        } else {
+                                            let _e1736 = (_e828.member_1 < _e93);
+                                            if _e1736 {
+                                                if _e1736 {
                                                 } else {
-                                                    phi_4313_ = true;
+                                                    phi_4316_ = true;
                                                     break;
                                                 }
-                                                let _e840 = global_9.member[_e828.member_1];
-                                                phi_3010_ = _e840;
+                                                let _e1738 = global_9.member[_e828.member_1];
+                                                phi_3004_ = _e1738;
                                             } else {
-                                                phi_3010_ = type_49(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_3004_ = type_49(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e842 = phi_3010_;
-                                            let _e857 = ((10u * _e418) & 31u);
-                                            let _e860 = ((_e842.member[0] >> bitcast<u32>(_e857)) & 1023u);
-                                            let _e868 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[0] - _e828.member.member[0]) * 0.0009775171f)) ^ _e136));
-                                            let _e873 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e860)) - 8388608f) * _e868)) ^ _e136)));
-                                            let _e877 = select(select(_e828.member.member_1[0], _e873, (_e873 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e860 == 1023u));
-                                            let _e879 = ((10u * _e417) & 31u);
-                                            let _e882 = ((_e842.member[0] >> bitcast<u32>(_e879)) & 1023u);
-                                            let _e890 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[1] - _e828.member.member[1]) * 0.0009775171f)) ^ _e136));
-                                            let _e895 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e882)) - 8388608f) * _e890)) ^ _e136)));
-                                            let _e899 = select(select(_e828.member.member_1[1], _e895, (_e895 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e882 == 1023u));
-                                            let _e901 = ((10u * _e419) & 31u);
-                                            let _e904 = ((_e842.member[0] >> bitcast<u32>(_e901)) & 1023u);
-                                            let _e912 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[2] - _e828.member.member[2]) * 0.0009775171f)) ^ _e136));
-                                            let _e917 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e904)) - 8388608f) * _e912)) ^ _e136)));
-                                            let _e921 = select(select(_e828.member.member_1[2], _e917, (_e917 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e904 == 1023u));
-                                            let _e924 = ((_e842.member[1] >> bitcast<u32>(_e857)) & 1023u);
-                                            let _e932 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e924)) - 8388608f) * _e868)) ^ _e136)));
-                                            let _e936 = select(select(_e828.member.member_1[0], _e932, (_e932 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e924 == 1023u));
-                                            let _e939 = ((_e842.member[1] >> bitcast<u32>(_e879)) & 1023u);
-                                            let _e947 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e939)) - 8388608f) * _e890)) ^ _e136)));
-                                            let _e951 = select(select(_e828.member.member_1[1], _e947, (_e947 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e939 == 1023u));
-                                            let _e954 = ((_e842.member[1] >> bitcast<u32>(_e901)) & 1023u);
-                                            let _e962 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e954)) - 8388608f) * _e912)) ^ _e136)));
-                                            let _e966 = select(select(_e828.member.member_1[2], _e962, (_e962 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e954 == 1023u));
-                                            let _e972 = ((_e842.member_1[0] >> bitcast<u32>(_e857)) & 1023u);
-                                            let _e980 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e972)) - 8388608f) * _e868)) ^ _e136)));
-                                            let _e984 = select(select(_e828.member.member_1[0], _e980, (_e980 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e972 == 1023u));
-                                            let _e987 = ((_e842.member_1[0] >> bitcast<u32>(_e879)) & 1023u);
-                                            let _e995 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e987)) - 8388608f) * _e890)) ^ _e136)));
-                                            let _e999 = select(select(_e828.member.member_1[1], _e995, (_e995 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e987 == 1023u));
-                                            let _e1002 = ((_e842.member_1[0] >> bitcast<u32>(_e901)) & 1023u);
-                                            let _e1010 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1002)) - 8388608f) * _e912)) ^ _e136)));
-                                            let _e1014 = select(select(_e828.member.member_1[2], _e1010, (_e1010 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1002 == 1023u));
-                                            let _e1017 = ((_e842.member_1[1] >> bitcast<u32>(_e857)) & 1023u);
-                                            let _e1025 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1017)) - 8388608f) * _e868)) ^ _e136)));
-                                            let _e1029 = select(select(_e828.member.member_1[0], _e1025, (_e1025 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1017 == 1023u));
-                                            let _e1032 = ((_e842.member_1[1] >> bitcast<u32>(_e879)) & 1023u);
-                                            let _e1040 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1032)) - 8388608f) * _e890)) ^ _e136)));
-                                            let _e1044 = select(select(_e828.member.member_1[1], _e1040, (_e1040 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1032 == 1023u));
-                                            let _e1047 = ((_e842.member_1[1] >> bitcast<u32>(_e901)) & 1023u);
-                                            let _e1055 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1047)) - 8388608f) * _e912)) ^ _e136)));
-                                            let _e1059 = select(select(_e828.member.member_1[2], _e1055, (_e1055 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1047 == 1023u));
-                                            let _e1064 = type_62(type_54(array<f32, 3>(_e877, _e899, _e921), array<f32, 3>(_e936, _e951, _e966)), _e842.member_2);
-                                            let _e1069 = type_62(type_54(array<f32, 3>(_e984, _e999, _e1014), array<f32, 3>(_e1029, _e1044, _e1059)), _e842.member_3);
-                                            let _e1075 = ((_e877 - _e503) * _e508);
-                                            let _e1076 = ((_e984 - _e503) * _e508);
-                                            let _e1077 = ((_e936 - _e504) * _e508);
-                                            let _e1078 = ((_e1029 - _e504) * _e508);
-                                            let _e1083 = ((_e899 - _e569) * _e574);
-                                            let _e1084 = ((_e999 - _e569) * _e574);
-                                            let _e1085 = ((_e951 - _e570) * _e574);
-                                            let _e1086 = ((_e1044 - _e570) * _e574);
-                                            let _e1091 = ((_e921 - _e635) * _e640);
-                                            let _e1092 = ((_e1014 - _e635) * _e640);
-                                            let _e1093 = ((_e966 - _e636) * _e640);
-                                            let _e1094 = ((_e1059 - _e636) * _e640);
-                                            let _e1096 = select(_e1093, _e1091, (_e1091 < _e1093));
-                                            let _e1098 = select(_e1094, _e1092, (_e1092 < _e1094));
-                                            let _e1100 = select(_e1093, _e1091, (_e1091 > _e1093));
-                                            let _e1102 = select(_e1094, _e1092, (_e1092 > _e1094));
-                                            let _e1104 = select(_e1077, _e1075, (_e1075 < _e1077));
-                                            let _e1106 = select(_e1078, _e1076, (_e1076 < _e1078));
-                                            let _e1108 = select(_e1085, _e1083, (_e1083 < _e1085));
-                                            let _e1110 = select(_e1086, _e1084, (_e1084 < _e1086));
-                                            let _e1112 = select(_e1108, _e1104, (_e1104 > _e1108));
-                                            let _e1114 = select(_e1110, _e1106, (_e1106 > _e1110));
-                                            let _e1116 = select(_e1096, _e1112, (_e1112 > _e1096));
-                                            let _e1118 = select(_e1098, _e1114, (_e1114 > _e1098));
-                                            let _e1120 = select(_e1077, _e1075, (_e1075 > _e1077));
-                                            let _e1122 = select(_e1078, _e1076, (_e1076 > _e1078));
-                                            let _e1124 = select(_e1085, _e1083, (_e1083 > _e1085));
-                                            let _e1126 = select(_e1086, _e1084, (_e1084 > _e1086));
-                                            let _e1128 = select(_e1124, _e1120, (_e1120 < _e1124));
-                                            let _e1130 = select(_e1126, _e1122, (_e1122 < _e1126));
-                                            let _e1135 = -(_e1096);
-                                            let _e1136 = -(_e1098);
-                                            let _e1143 = (select(_e1100, _e1128, (_e1128 < _e1100)) + (select(_e1135, _e1100, (_e1100 > _e1135)) * 0.0000019073523f));
-                                            let _e1144 = (select(_e1102, _e1130, (_e1130 < _e1102)) + (select(_e1136, _e1102, (_e1102 > _e1136)) * 0.0000019073523f));
-                                            let _e1146 = select(_e751, _e1116, (_e1116 > _e751));
-                                            let _e1148 = select(_e751, _e1118, (_e1118 > _e751));
-                                            let _e1153 = (_e1146 <= select(_e785.member, _e1143, (_e1143 < _e785.member)));
-                                            let _e1154 = (_e1148 <= select(_e785.member, _e1144, (_e1144 < _e785.member)));
-                                            let _e1155 = (_e1146 <= _e1148);
-                                            if _e1153 {
-                                                if _e1154 {
-                                                    if _e1155 {
-                                                        phi_3896_ = _e1069;
+                                            let _e1740 = phi_3004_;
+                                            let _e1755 = ((10u * _e418) & 31u);
+                                            let _e1758 = ((_e1740.member[0] >> bitcast<u32>(_e1755)) & 1023u);
+                                            let _e1766 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[0] - _e828.member.member[0]) * 0.0009775171f)) ^ _e136));
+                                            let _e1771 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1758)) - 8388608f) * _e1766)) ^ _e136)));
+                                            let _e1775 = select(select(_e828.member.member_1[0], _e1771, (_e1771 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1758 == 1023u));
+                                            let _e1777 = ((10u * _e417) & 31u);
+                                            let _e1780 = ((_e1740.member[0] >> bitcast<u32>(_e1777)) & 1023u);
+                                            let _e1788 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[1] - _e828.member.member[1]) * 0.0009775171f)) ^ _e136));
+                                            let _e1793 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1780)) - 8388608f) * _e1788)) ^ _e136)));
+                                            let _e1797 = select(select(_e828.member.member_1[1], _e1793, (_e1793 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1780 == 1023u));
+                                            let _e1799 = ((10u * _e419) & 31u);
+                                            let _e1802 = ((_e1740.member[0] >> bitcast<u32>(_e1799)) & 1023u);
+                                            let _e1810 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[2] - _e828.member.member[2]) * 0.0009775171f)) ^ _e136));
+                                            let _e1815 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1802)) - 8388608f) * _e1810)) ^ _e136)));
+                                            let _e1819 = select(select(_e828.member.member_1[2], _e1815, (_e1815 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1802 == 1023u));
+                                            let _e1822 = ((_e1740.member[1] >> bitcast<u32>(_e1755)) & 1023u);
+                                            let _e1830 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1822)) - 8388608f) * _e1766)) ^ _e136)));
+                                            let _e1834 = select(select(_e828.member.member_1[0], _e1830, (_e1830 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1822 == 1023u));
+                                            let _e1837 = ((_e1740.member[1] >> bitcast<u32>(_e1777)) & 1023u);
+                                            let _e1845 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1837)) - 8388608f) * _e1788)) ^ _e136)));
+                                            let _e1849 = select(select(_e828.member.member_1[1], _e1845, (_e1845 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1837 == 1023u));
+                                            let _e1852 = ((_e1740.member[1] >> bitcast<u32>(_e1799)) & 1023u);
+                                            let _e1860 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1852)) - 8388608f) * _e1810)) ^ _e136)));
+                                            let _e1864 = select(select(_e828.member.member_1[2], _e1860, (_e1860 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1852 == 1023u));
+                                            let _e1870 = ((_e1740.member_1[0] >> bitcast<u32>(_e1755)) & 1023u);
+                                            let _e1878 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1870)) - 8388608f) * _e1766)) ^ _e136)));
+                                            let _e1882 = select(select(_e828.member.member_1[0], _e1878, (_e1878 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1870 == 1023u));
+                                            let _e1885 = ((_e1740.member_1[0] >> bitcast<u32>(_e1777)) & 1023u);
+                                            let _e1893 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1885)) - 8388608f) * _e1788)) ^ _e136)));
+                                            let _e1897 = select(select(_e828.member.member_1[1], _e1893, (_e1893 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1885 == 1023u));
+                                            let _e1900 = ((_e1740.member_1[0] >> bitcast<u32>(_e1799)) & 1023u);
+                                            let _e1908 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1900)) - 8388608f) * _e1810)) ^ _e136)));
+                                            let _e1912 = select(select(_e828.member.member_1[2], _e1908, (_e1908 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1900 == 1023u));
+                                            let _e1915 = ((_e1740.member_1[1] >> bitcast<u32>(_e1755)) & 1023u);
+                                            let _e1923 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1915)) - 8388608f) * _e1766)) ^ _e136)));
+                                            let _e1927 = select(select(_e828.member.member_1[0], _e1923, (_e1923 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1915 == 1023u));
+                                            let _e1930 = ((_e1740.member_1[1] >> bitcast<u32>(_e1777)) & 1023u);
+                                            let _e1938 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1930)) - 8388608f) * _e1788)) ^ _e136)));
+                                            let _e1942 = select(select(_e828.member.member_1[1], _e1938, (_e1938 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1930 == 1023u));
+                                            let _e1945 = ((_e1740.member_1[1] >> bitcast<u32>(_e1799)) & 1023u);
+                                            let _e1953 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1945)) - 8388608f) * _e1810)) ^ _e136)));
+                                            let _e1957 = select(select(_e828.member.member_1[2], _e1953, (_e1953 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1945 == 1023u));
+                                            let _e1962 = type_62(type_54(array<f32, 3>(_e1775, _e1797, _e1819), array<f32, 3>(_e1834, _e1849, _e1864)), _e1740.member_2);
+                                            let _e1967 = type_62(type_54(array<f32, 3>(_e1882, _e1897, _e1912), array<f32, 3>(_e1927, _e1942, _e1957)), _e1740.member_3);
+                                            let _e1973 = ((_e1775 - _e503) * _e508);
+                                            let _e1974 = ((_e1882 - _e503) * _e508);
+                                            let _e1975 = ((_e1834 - _e504) * _e508);
+                                            let _e1976 = ((_e1927 - _e504) * _e508);
+                                            let _e1981 = ((_e1797 - _e569) * _e574);
+                                            let _e1982 = ((_e1897 - _e569) * _e574);
+                                            let _e1983 = ((_e1849 - _e570) * _e574);
+                                            let _e1984 = ((_e1942 - _e570) * _e574);
+                                            let _e1989 = ((_e1819 - _e635) * _e640);
+                                            let _e1990 = ((_e1912 - _e635) * _e640);
+                                            let _e1991 = ((_e1864 - _e636) * _e640);
+                                            let _e1992 = ((_e1957 - _e636) * _e640);
+                                            let _e1994 = select(_e1991, _e1989, (_e1989 < _e1991));
+                                            let _e1996 = select(_e1992, _e1990, (_e1990 < _e1992));
+                                            let _e1998 = select(_e1991, _e1989, (_e1989 > _e1991));
+                                            let _e2000 = select(_e1992, _e1990, (_e1990 > _e1992));
+                                            let _e2002 = select(_e1975, _e1973, (_e1973 < _e1975));
+                                            let _e2004 = select(_e1976, _e1974, (_e1974 < _e1976));
+                                            let _e2006 = select(_e1983, _e1981, (_e1981 < _e1983));
+                                            let _e2008 = select(_e1984, _e1982, (_e1982 < _e1984));
+                                            let _e2010 = select(_e2006, _e2002, (_e2002 > _e2006));
+                                            let _e2012 = select(_e2008, _e2004, (_e2004 > _e2008));
+                                            let _e2014 = select(_e1994, _e2010, (_e2010 > _e1994));
+                                            let _e2016 = select(_e1996, _e2012, (_e2012 > _e1996));
+                                            let _e2018 = select(_e1975, _e1973, (_e1973 > _e1975));
+                                            let _e2020 = select(_e1976, _e1974, (_e1974 > _e1976));
+                                            let _e2022 = select(_e1983, _e1981, (_e1981 > _e1983));
+                                            let _e2024 = select(_e1984, _e1982, (_e1982 > _e1984));
+                                            let _e2026 = select(_e2022, _e2018, (_e2018 < _e2022));
+                                            let _e2028 = select(_e2024, _e2020, (_e2020 < _e2024));
+                                            let _e2033 = -(_e1994);
+                                            let _e2034 = -(_e1996);
+                                            let _e2041 = (select(_e1998, _e2026, (_e2026 < _e1998)) + (select(_e2033, _e1998, (_e1998 > _e2033)) * 0.0000019073523f));
+                                            let _e2042 = (select(_e2000, _e2028, (_e2028 < _e2000)) + (select(_e2034, _e2000, (_e2000 > _e2034)) * 0.0000019073523f));
+                                            let _e2044 = select(_e751, _e2014, (_e2014 > _e751));
+                                            let _e2046 = select(_e751, _e2016, (_e2016 > _e751));
+                                            let _e2051 = (_e2044 <= select(_e1735.member, _e2041, (_e2041 < _e1735.member)));
+                                            let _e2052 = (_e2046 <= select(_e1735.member, _e2042, (_e2042 < _e1735.member)));
+                                            let _e2053 = (_e2044 <= _e2046);
+                                            if _e2051 {
+                                                if _e2052 {
+                                                    if _e2053 {
+                                                        phi_3890_ = _e1967;
                                                     } else {
-                                                        phi_3896_ = _e1064;
+                                                        phi_3890_ = _e1962;
                                                     }
-                                                    let _e1157 = phi_3896_;
-                                                    let _e1165 = (_e826 % 128u);
-                                                    let _e1166 = (_e1165 < 128u);
-                                                    if _e1166 {
+                                                    let _e2055 = phi_3890_;
+                                                    let _e2062 = (_e826 % 128u);
+                                                    let _e2063 = (_e2062 < 128u);
+                                                    if _e2063 {
                                                     } else {
-                                                        phi_4313_ = true;
+                                                        phi_4316_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1165] = _e1157.member_1;
-                                                    if _e1166 {
+                                                    local_6[_e2062] = _e2055.member_1;
+                                                    if _e2063 {
                                                     } else {
-                                                        phi_4313_ = true;
+                                                        phi_4316_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1165] = _e1157.member.member[0];
-                                                    if _e1166 {
+                                                    local_5[_e2062] = _e2055.member.member[0];
+                                                    if _e2063 {
                                                     } else {
-                                                        phi_4313_ = true;
+                                                        phi_4316_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1165] = _e1157.member.member[1];
-                                                    if _e1166 {
+                                                    local_4[_e2062] = _e2055.member.member[1];
+                                                    if _e2063 {
                                                     } else {
-                                                        phi_4313_ = true;
+                                                        phi_4316_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1165] = _e1157.member.member[2];
-                                                    if _e1166 {
+                                                    local_3[_e2062] = _e2055.member.member[2];
+                                                    if _e2063 {
                                                     } else {
-                                                        phi_4313_ = true;
+                                                        phi_4316_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1165] = _e1157.member.member_1[0];
-                                                    if _e1166 {
+                                                    local_2[_e2062] = _e2055.member.member_1[0];
+                                                    if _e2063 {
                                                     } else {
-                                                        phi_4313_ = true;
+                                                        phi_4316_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e1165] = _e1157.member.member_1[1];
-                                                    if _e1166 {
+                                                    local_1[_e2062] = _e2055.member.member_1[1];
+                                                    if _e2063 {
                                                     } else {
-                                                        phi_4313_ = true;
+                                                        phi_4316_ = true;
                                                         break;
                                                     }
-                                                    local[_e1165] = _e1157.member.member_1[2];
-                                                    if _e1166 {
+                                                    local[_e2062] = _e2055.member.member_1[2];
+                                                    if _e2063 {
                                                     } else {
-                                                        phi_4313_ = true;
+                                                        phi_4316_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1165] = select(_e1148, _e1146, !(_e1155));
-                                                    if _e1155 {
-                                                        phi_3973_ = _e1064;
+                                                    local_7[_e2062] = select(_e2044, _e2046, _e2053);
+                                                    if _e2053 {
+                                                        phi_3966_ = _e1962;
                                                     } else {
-                                                        phi_3973_ = _e1069;
+                                                        phi_3966_ = _e1967;
                                                     }
-                                                    let _e1183 = phi_3973_;
-                                                    phi_3974_ = (_e826 + 1u);
-                                                    phi_3975_ = _e1183;
+                                                    let _e2080 = phi_3966_;
+                                                    phi_3967_ = (_e826 + 1u);
+                                                    phi_3968_ = _e2080;
                                                 } else {
-                                                    phi_3974_ = u32();
-                                                    phi_3975_ = type_62();
+                                                    phi_3967_ = u32();
+                                                    phi_3968_ = type_62();
                                                 }
-                                                let _e1185 = phi_3974_;
-                                                let _e1187 = phi_3975_;
-                                                phi_3977_ = _e1185;
-                                                phi_3978_ = _e1187;
-                                                phi_3979_ = select(true, false, _e1154);
+                                                let _e2082 = phi_3967_;
+                                                let _e2084 = phi_3968_;
+                                                phi_3970_ = _e2082;
+                                                phi_3971_ = _e2084;
+                                                phi_3972_ = select(true, false, _e2052);
                                             } else {
-                                                phi_3977_ = u32();
-                                                phi_3978_ = type_62();
-                                                phi_3979_ = true;
+                                                phi_3970_ = u32();
+                                                phi_3971_ = type_62();
+                                                phi_3972_ = true;
                                             }
-                                            let _e1190 = phi_3977_;
-                                            let _e1192 = phi_3978_;
-                                            let _e1194 = phi_3979_;
-                                            if _e1194 {
-                                                if _e1153 {
-                                                    phi_3986_ = _e1064;
+                                            let _e2087 = phi_3970_;
+                                            let _e2089 = phi_3971_;
+                                            let _e2091 = phi_3972_;
+                                            if _e2091 {
+                                                if _e2051 {
+                                                    phi_3979_ = _e1962;
                                                 } else {
-                                                    phi_3986_ = _e1069;
+                                                    phi_3979_ = _e1967;
                                                 }
-                                                let _e1196 = phi_3986_;
-                                                phi_3991_ = select(_e1154, true, _e1153);
-                                                phi_3993_ = _e1196;
+                                                let _e2093 = phi_3979_;
+                                                phi_3984_ = select(_e2052, true, _e2051);
+                                                phi_3986_ = _e2093;
                                             } else {
-                                                phi_3991_ = _e824;
-                                                phi_3993_ = _e1192;
+                                                phi_3984_ = _e824;
+                                                phi_3986_ = _e2089;
                                             }
-                                            let _e1199 = phi_3991_;
-                                            let _e1201 = phi_3993_;
-                                            phi_4317_ = _e783;
-                                            phi_3997_ = _e785;
-                                            phi_3998_ = _e1199;
-                                            phi_3999_ = select(_e1190, _e826, _e1194);
-                                            phi_4000_ = _e1201;
+                                            let _e2096 = phi_3984_;
+                                            let _e2098 = phi_3986_;
+                                            phi_3990_ = _e2096;
+                                            phi_3991_ = select(_e2087, _e826, _e2091);
+                                            phi_3992_ = _e2098;
                                         }
-                                        let _e2102 = phi_4317_;
-                                        let _e2104 = phi_3997_;
-                                        let _e2106 = phi_3998_;
-                                        let _e2108 = phi_3999_;
-                                        let _e2110 = phi_4000_;
-                                        phi_4316_ = _e2102;
-                                        phi_4001_ = _e2104;
-                                        phi_4002_ = _e2106;
-                                        phi_4003_ = (_e789 - 1u);
-                                        phi_4004_ = _e2108;
-                                        phi_4005_ = _e2110;
+                                        let _e2101 = phi_3990_;
+                                        let _e2103 = phi_3991_;
+                                        let _e2105 = phi_3992_;
+                                        if _e832 {
+                                            phi_4002_ = select(_e826, 0u, _e1735.member_1);
+                                            phi_4003_ = _e828;
+                                        } else {
+                                            phi_4002_ = _e2103;
+                                            phi_4003_ = _e2105;
+                                        }
+                                        let _e2109 = phi_4002_;
+                                        let _e2111 = phi_4003_;
+                                        phi_4319_ = _e1733;
+                                        phi_4004_ = _e1735;
+                                        phi_4005_ = (_e787 - 1u);
+                                        phi_4006_ = select(_e2101, false, _e832);
+                                        phi_4007_ = _e2109;
+                                        phi_4008_ = _e2111;
                                     } else {
-                                        phi_4316_ = _e783;
-                                        phi_4001_ = _e785;
-                                        phi_4002_ = _e824;
-                                        phi_4003_ = _e789;
-                                        phi_4004_ = _e826;
-                                        phi_4005_ = _e828;
+                                        phi_4319_ = _e783;
+                                        phi_4004_ = _e785;
+                                        phi_4005_ = _e787;
+                                        phi_4006_ = _e824;
+                                        phi_4007_ = _e826;
+                                        phi_4008_ = _e828;
                                     }
-                                    let _e2112 = phi_4316_;
-                                    let _e2114 = phi_4001_;
-                                    let _e2116 = phi_4002_;
-                                    let _e2118 = phi_4003_;
-                                    let _e2120 = phi_4004_;
-                                    let _e2122 = phi_4005_;
-                                    phi_4315_ = _e2112;
-                                    phi_4006_ = _e2114;
-                                    phi_4007_ = _e2116;
-                                    phi_4008_ = _e2118;
-                                    phi_4009_ = _e2120;
-                                    phi_4010_ = _e2122;
+                                    let _e2114 = phi_4319_;
+                                    let _e2116 = phi_4004_;
+                                    let _e2118 = phi_4005_;
+                                    let _e2120 = phi_4006_;
+                                    let _e2122 = phi_4007_;
+                                    let _e2124 = phi_4008_;
+                                    phi_4318_ = _e2114;
+                                    phi_4009_ = _e2116;
+                                    phi_4010_ = _e2118;
+                                    phi_4011_ = _e2120;
+                                    phi_4012_ = _e2122;
+                                    phi_4013_ = _e2124;
                                 } else {
-                                    phi_4315_ = _e783;
-                                    phi_4006_ = type_40();
-                                    phi_4007_ = bool();
-                                    phi_4008_ = u32();
-                                    phi_4009_ = u32();
-                                    phi_4010_ = type_62();
+                                    phi_4318_ = _e783;
+                                    phi_4009_ = type_40();
+                                    phi_4010_ = u32();
+                                    phi_4011_ = bool();
+                                    phi_4012_ = u32();
+                                    phi_4013_ = type_62();
                                 }
-                                let _e2124 = phi_4315_;
-                                let _e2126 = phi_4006_;
-                                let _e2128 = phi_4007_;
-                                let _e2130 = phi_4008_;
-                                let _e2132 = phi_4009_;
-                                let _e2134 = phi_4010_;
-                                phi_4314_ = _e2124;
-                                phi_1299_ = _e2126;
-                                phi_1302_ = _e2128;
-                                phi_1304_ = _e2130;
-                                phi_1306_ = _e2132;
-                                phi_1308_ = _e2134;
-                                phi_4011_ = _e797;
+                                let _e2126 = phi_4318_;
+                                let _e2128 = phi_4009_;
+                                let _e2130 = phi_4010_;
+                                let _e2132 = phi_4011_;
+                                let _e2134 = phi_4012_;
+                                let _e2136 = phi_4013_;
+                                phi_4317_ = _e2126;
+                                phi_1299_ = _e2128;
+                                phi_1302_ = _e2130;
+                                phi_1304_ = _e2132;
+                                phi_1306_ = _e2134;
+                                phi_1308_ = _e2136;
+                                phi_4014_ = _e797;
                             } else {
-                                phi_4314_ = _e783;
+                                phi_4317_ = _e783;
                                 phi_1299_ = type_40();
-                                phi_1302_ = bool();
-                                phi_1304_ = u32();
+                                phi_1302_ = u32();
+                                phi_1304_ = bool();
                                 phi_1306_ = u32();
                                 phi_1308_ = type_62();
-                                phi_4011_ = false;
+                                phi_4014_ = false;
                             }
-                            let _e2136 = phi_4314_;
-                            let _e2138 = phi_1299_;
-                            let _e2140 = phi_1302_;
-                            let _e2142 = phi_1304_;
-                            let _e2144 = phi_1306_;
-                            let _e2146 = phi_1308_;
-                            let _e2148 = phi_4011_;
+                            let _e2138 = phi_4317_;
+                            let _e2140 = phi_1299_;
+                            let _e2142 = phi_1302_;
+                            let _e2144 = phi_1304_;
+                            let _e2146 = phi_1306_;
+                            let _e2148 = phi_1308_;
+                            let _e2150 = phi_4014_;
                             continue;
                             continuing {
-                                phi_4109_ = _e2136;
-                                phi_1298_ = _e2138;
-                                phi_1301_ = _e2140;
-                                phi_1303_ = _e2142;
-                                phi_1305_ = _e2144;
-                                phi_1307_ = _e2146;
-                                phi_4313_ = _e2136;
-                                break if !(_e2148);
+                                phi_4112_ = _e2138;
+                                phi_1298_ = _e2140;
+                                phi_1301_ = _e2142;
+                                phi_1303_ = _e2144;
+                                phi_1305_ = _e2146;
+                                phi_1307_ = _e2148;
+                                phi_4316_ = _e2138;
+                                break if !(_e2150);
                             }
                         }
-                        let _e2151 = phi_4313_;
-                        if _e2151 {
+                        let _e2153 = phi_4316_;
+                        if _e2153 {
                             break;
                         }
-                        let _e2153 = local_11;
-                        if _e2153.member_1 {
+                        let _e2155 = local_10;
+                        if _e2155.member_1 {
                         } else {
                             if _e286 {
                             } else {
                                 break;
                             }
-                            let _e2157 = global_2.member[_e140];
+                            let _e2159 = global_2.member[_e140];
                             if _e147 {
                             } else {
                                 break;
                             }
-                            let _e2161 = global_8.member[_e140].member_1;
+                            let _e2163 = global_8.member[_e140].member_1;
                             if _e286 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e140] = type_24(_e2157.member, _e2157.member_1, _e2157.member_2, array<f32, 3>((_e2157.member_3[0] + (_e2161[0] * _e2157.member_1[0])), (_e2157.member_3[1] + (_e2161[1] * _e2157.member_1[1])), (_e2157.member_3[2] + (_e2161[2] * _e2157.member_1[2]))), _e2157.member_4);
+                            global_2.member[_e140] = type_24(_e2159.member, _e2159.member_1, _e2159.member_2, array<f32, 3>((_e2159.member_3[0] + (_e2163[0] * _e2159.member_1[0])), (_e2159.member_3[1] + (_e2163[1] * _e2159.member_1[1])), (_e2159.member_3[2] + (_e2163[2] * _e2159.member_1[2]))), _e2159.member_4);
                         }
                     }
                 }

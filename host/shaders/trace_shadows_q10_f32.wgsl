@@ -170,34 +170,16 @@ fn function_() {
     var phi_1254_: u32;
     var phi_1262_: f32;
     var phi_1263_: f32;
-    var phi_4374_: bool;
+    var phi_4377_: bool;
     var phi_1359_: type_51;
-    var phi_1362_: bool;
-    var phi_1364_: u32;
+    var phi_1362_: u32;
+    var phi_1364_: bool;
     var phi_1366_: u32;
     var phi_1368_: type_63;
     var phi_1379_: bool;
     var phi_1465_: bool;
     var phi_1466_: u32;
     var phi_1467_: type_63;
-    var phi_3598_: u32;
-    var phi_3599_: u32;
-    var phi_3609_: u32;
-    var phi_3611_: u32;
-    var phi_3612_: bool;
-    var phi_3632_: u32;
-    var phi_3633_: u32;
-    var phi_3637_: type_64;
-    var phi_3999_: type_63;
-    var phi_4076_: type_63;
-    var phi_4077_: u32;
-    var phi_4078_: type_63;
-    var phi_4080_: u32;
-    var phi_4081_: type_63;
-    var phi_4082_: bool;
-    var phi_4091_: type_63;
-    var phi_4096_: bool;
-    var phi_4098_: type_63;
     var phi_1485_: type_51;
     var phi_1488_: type_8;
     var phi_1489_: type_8;
@@ -254,35 +236,54 @@ fn function_() {
     var phi_2863_: type_51;
     var phi_2864_: type_51;
     var phi_1486_: type_51;
-    var phi_4368_: bool;
-    var local_10: type_51;
+    var phi_4371_: bool;
+    var phi_4649_: bool;
+    var phi_2865_: type_51;
+    var phi_3592_: u32;
+    var phi_3593_: u32;
+    var phi_3603_: u32;
+    var phi_3605_: u32;
+    var phi_3606_: bool;
+    var phi_3626_: u32;
+    var phi_3627_: u32;
+    var phi_3631_: type_64;
+    var phi_3993_: type_63;
+    var phi_4069_: type_63;
+    var phi_4070_: u32;
+    var phi_4071_: type_63;
+    var phi_4073_: u32;
+    var phi_4074_: type_63;
+    var phi_4075_: bool;
+    var phi_4084_: type_63;
+    var phi_4089_: bool;
+    var phi_4091_: type_63;
+    var phi_4095_: bool;
+    var phi_4096_: u32;
+    var phi_4097_: type_63;
+    var phi_4107_: u32;
+    var phi_4108_: type_63;
+    var phi_4566_: bool;
+    var phi_4109_: type_51;
+    var phi_4110_: u32;
+    var phi_4111_: bool;
+    var phi_4112_: u32;
+    var phi_4113_: type_63;
+    var phi_4565_: bool;
+    var phi_4114_: type_51;
+    var phi_4115_: u32;
+    var phi_4116_: bool;
+    var phi_4117_: u32;
+    var phi_4118_: type_63;
     var phi_4564_: bool;
-    var phi_4102_: type_51;
-    var phi_4103_: bool;
-    var phi_4104_: u32;
-    var phi_4105_: type_63;
-    var phi_4563_: bool;
-    var phi_4106_: type_51;
-    var phi_4107_: bool;
-    var phi_4108_: u32;
-    var phi_4109_: u32;
-    var phi_4110_: type_63;
-    var phi_4562_: bool;
-    var phi_4111_: type_51;
-    var phi_4112_: bool;
-    var phi_4113_: u32;
-    var phi_4114_: u32;
-    var phi_4115_: type_63;
-    var phi_4561_: bool;
     var phi_1360_: type_51;
-    var phi_1363_: bool;
-    var phi_1365_: u32;
+    var phi_1363_: u32;
+    var phi_1365_: bool;
     var phi_1367_: u32;
     var phi_1369_: type_63;
-    var phi_4116_: bool;
-    var phi_4560_: bool;
+    var phi_4119_: bool;
+    var phi_4563_: bool;
+    var local_10: type_51;
     var local_11: type_51;
-    var local_12: type_51;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -704,31 +705,31 @@ fn function_() {
                             break;
                         }
                         let _e798 = local[_e782];
-                        phi_4374_ = false;
+                        phi_4377_ = false;
                         phi_1359_ = type_51(_e764, false);
-                        phi_1362_ = (_e766 <= _e764);
-                        phi_1364_ = ((3u * _e101) + 1u);
+                        phi_1362_ = ((3u * _e101) + 1u);
+                        phi_1364_ = (_e766 <= _e764);
                         phi_1366_ = 0u;
                         phi_1368_ = type_63(type_39(vec4<f32>((f32(_e773) * _e159), (f32(_e779) * _e159), (f32(_e785) * _e159), 0f), vec4<f32>((f32(_e790) * _e159), (f32(_e794) * _e159), (f32(_e798) * _e159), 0f)), select(0u, 2147483648u, (_e101 == 0u)));
                         loop {
-                            let _e808 = phi_4374_;
+                            let _e808 = phi_4377_;
                             let _e810 = phi_1359_;
                             let _e812 = phi_1362_;
                             let _e814 = phi_1364_;
                             let _e816 = phi_1366_;
                             let _e818 = phi_1368_;
-                            local_11 = _e810;
-                            if _e812 {
+                            local_10 = _e810;
+                            if _e814 {
                                 phi_1379_ = true;
                             } else {
                                 phi_1379_ = (_e816 > 0u);
                             }
                             let _e821 = phi_1379_;
                             if _e821 {
-                                let _e822 = (_e814 > 0u);
+                                let _e822 = (_e812 > 0u);
                                 if _e822 {
-                                    if _e812 {
-                                        phi_1465_ = _e812;
+                                    if _e814 {
+                                        phi_1465_ = _e814;
                                         phi_1466_ = _e816;
                                         phi_1467_ = _e818;
                                     } else {
@@ -737,49 +738,49 @@ fn function_() {
                                         let _e825 = (_e824 < 128u);
                                         if _e825 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e827 = local_7[_e824];
                                         if _e825 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e829 = local_6[_e824];
                                         if _e825 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e831 = local_5[_e824];
                                         if _e825 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e833 = local_4[_e824];
                                         if _e825 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e835 = local_3[_e824];
                                         if _e825 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e837 = local_2[_e824];
                                         if _e825 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e842 = local_8[_e824];
                                         if _e825 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e845 = local_9[_e824];
@@ -791,907 +792,918 @@ fn function_() {
                                     let _e851 = phi_1466_;
                                     let _e853 = phi_1467_;
                                     if _e849 {
-                                        if ((_e853.member_1 & 2147483648u) != 0u) {
+                                        let _e857 = ((_e853.member_1 & 2147483648u) != 0u);
+                                        if _e857 {
                                             phi_1485_ = _e810;
                                             phi_1488_ = type_8(0u, ((_e853.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1303 = phi_1485_;
-                                                let _e1305 = phi_1488_;
-                                                local_10 = _e1303;
-                                                local_12 = _e1303;
-                                                if (_e1305.member < _e1305.member_1) {
-                                                    phi_1489_ = type_8((_e1305.member + 1u), _e1305.member_1);
-                                                    phi_1511_ = type_8(1u, _e1305.member);
+                                                let _e864 = phi_1485_;
+                                                let _e866 = phi_1488_;
+                                                local_11 = _e864;
+                                                if (_e866.member < _e866.member_1) {
+                                                    phi_1489_ = type_8((_e866.member + 1u), _e866.member_1);
+                                                    phi_1511_ = type_8(1u, _e866.member);
                                                 } else {
-                                                    phi_1489_ = _e1305;
+                                                    phi_1489_ = _e866;
                                                     phi_1511_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1318 = phi_1489_;
-                                                let _e1320 = phi_1511_;
-                                                let _e1324 = (bitcast<i32>(_e1320.member) != 0i);
-                                                if _e1324 {
-                                                    let _e1325 = ((_e853.member_1 & 268435455u) + _e1320.member_1);
-                                                    let _e1326 = (_e1325 < _e103);
-                                                    if _e1326 {
-                                                        if _e1326 {
+                                                let _e879 = phi_1489_;
+                                                let _e881 = phi_1511_;
+                                                let _e885 = (bitcast<i32>(_e881.member) != 0i);
+                                                if _e885 {
+                                                    let _e886 = ((_e853.member_1 & 268435455u) + _e881.member_1);
+                                                    let _e887 = (_e886 < _e103);
+                                                    if _e887 {
+                                                        if _e887 {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1330 = global_6.member[_e1325].member_1;
-                                                        phi_1532_ = _e1330;
+                                                        let _e891 = global_6.member[_e886].member_1;
+                                                        phi_1532_ = _e891;
                                                     } else {
                                                         phi_1532_ = 4294967295u;
                                                     }
-                                                    let _e1332 = phi_1532_;
-                                                    if (_e1325 >= _e103) {
+                                                    let _e893 = phi_1532_;
+                                                    if (_e886 >= _e103) {
                                                         phi_1624_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1326 {
+                                                        if _e887 {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
                                                         if (_e770 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1339 = global_6.member[_e1325].member[_e770];
+                                                        let _e900 = global_6.member[_e886].member[_e770];
                                                         if (_e776 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1345 = global_6.member[_e1325].member[_e776];
+                                                        let _e906 = global_6.member[_e886].member[_e776];
                                                         if (_e782 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1351 = global_6.member[_e1325].member[_e782];
-                                                        let _e1353 = (3u + _e770);
-                                                        if (_e1353 < 9u) {
+                                                        let _e912 = global_6.member[_e886].member[_e782];
+                                                        let _e914 = (3u + _e770);
+                                                        if (_e914 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1359 = global_6.member[_e1325].member[_e1353];
-                                                        let _e1360 = (3u + _e776);
-                                                        if (_e1360 < 9u) {
+                                                        let _e920 = global_6.member[_e886].member[_e914];
+                                                        let _e921 = (3u + _e776);
+                                                        if (_e921 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1366 = global_6.member[_e1325].member[_e1360];
-                                                        let _e1367 = (3u + _e782);
-                                                        if (_e1367 < 9u) {
+                                                        let _e927 = global_6.member[_e886].member[_e921];
+                                                        let _e928 = (3u + _e782);
+                                                        if (_e928 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1373 = global_6.member[_e1325].member[_e1367];
-                                                        let _e1375 = (6u + _e770);
-                                                        if (_e1375 < 9u) {
+                                                        let _e934 = global_6.member[_e886].member[_e928];
+                                                        let _e936 = (6u + _e770);
+                                                        if (_e936 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1381 = global_6.member[_e1325].member[_e1375];
-                                                        let _e1382 = (6u + _e776);
-                                                        if (_e1382 < 9u) {
+                                                        let _e942 = global_6.member[_e886].member[_e936];
+                                                        let _e943 = (6u + _e776);
+                                                        if (_e943 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1388 = global_6.member[_e1325].member[_e1382];
-                                                        let _e1389 = (6u + _e782);
-                                                        if (_e1389 < 9u) {
+                                                        let _e949 = global_6.member[_e886].member[_e943];
+                                                        let _e950 = (6u + _e782);
+                                                        if (_e950 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1395 = global_6.member[_e1325].member[_e1389];
-                                                        phi_1624_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1339, _e1345, _e1351), array<f32, 3>(_e1359, _e1366, _e1373), array<f32, 3>(_e1381, _e1388, _e1395));
+                                                        let _e956 = global_6.member[_e886].member[_e950];
+                                                        phi_1624_ = array<array<f32, 3>, 3>(array<f32, 3>(_e900, _e906, _e912), array<f32, 3>(_e920, _e927, _e934), array<f32, 3>(_e942, _e949, _e956));
                                                     }
-                                                    let _e1399 = phi_1624_;
-                                                    let _e1407 = (_e1399[0][2] - _e613);
-                                                    let _e1410 = (((_e1399[0][0] - _e480) * _e652) - (_e1407 * _e520));
-                                                    let _e1413 = (((_e1399[0][1] - _e547) * _e652) - (_e1407 * _e586));
-                                                    let _e1420 = (_e1399[1][2] - _e613);
-                                                    let _e1423 = (((_e1399[1][0] - _e480) * _e652) - (_e1420 * _e520));
-                                                    let _e1426 = (((_e1399[1][1] - _e547) * _e652) - (_e1420 * _e586));
-                                                    let _e1433 = (_e1399[2][2] - _e613);
-                                                    let _e1436 = (((_e1399[2][0] - _e480) * _e652) - (_e1433 * _e520));
-                                                    let _e1439 = (((_e1399[2][1] - _e547) * _e652) - (_e1433 * _e586));
-                                                    let _e1440 = (_e1436 * _e1426);
-                                                    let _e1441 = (_e1439 * _e1423);
-                                                    let _e1442 = (_e1410 * _e1439);
-                                                    let _e1443 = (_e1413 * _e1436);
-                                                    let _e1444 = (_e1423 * _e1413);
-                                                    let _e1445 = (_e1426 * _e1410);
-                                                    let _e1450 = (((_e1440 >= _e1441) && (_e1442 >= _e1443)) && (_e1444 >= _e1445));
-                                                    if (_e1450 || (((_e1440 <= _e1441) && (_e1442 <= _e1443)) && (_e1444 <= _e1445))) {
-                                                        let _e1457 = select(-1f, 1f, _e1450);
-                                                        let _e1459 = ((_e1440 - _e1441) * _e1457);
-                                                        let _e1461 = select(0f, _e1459, (_e1459 > 0f));
-                                                        let _e1463 = ((_e1442 - _e1443) * _e1457);
-                                                        let _e1465 = select(0f, _e1463, (_e1463 > 0f));
-                                                        let _e1467 = ((_e1444 - _e1445) * _e1457);
-                                                        let _e1469 = select(0f, _e1467, (_e1467 > 0f));
-                                                        let _e1471 = ((_e1461 + _e1465) + _e1469);
-                                                        if (_e1471 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e960 = phi_1624_;
+                                                    let _e968 = (_e960[0][2] - _e613);
+                                                    let _e971 = (((_e960[0][0] - _e480) * _e652) - (_e968 * _e520));
+                                                    let _e974 = (((_e960[0][1] - _e547) * _e652) - (_e968 * _e586));
+                                                    let _e981 = (_e960[1][2] - _e613);
+                                                    let _e984 = (((_e960[1][0] - _e480) * _e652) - (_e981 * _e520));
+                                                    let _e987 = (((_e960[1][1] - _e547) * _e652) - (_e981 * _e586));
+                                                    let _e994 = (_e960[2][2] - _e613);
+                                                    let _e997 = (((_e960[2][0] - _e480) * _e652) - (_e994 * _e520));
+                                                    let _e1000 = (((_e960[2][1] - _e547) * _e652) - (_e994 * _e586));
+                                                    let _e1001 = (_e997 * _e987);
+                                                    let _e1002 = (_e1000 * _e984);
+                                                    let _e1003 = (_e971 * _e1000);
+                                                    let _e1004 = (_e974 * _e997);
+                                                    let _e1005 = (_e984 * _e974);
+                                                    let _e1006 = (_e987 * _e971);
+                                                    let _e1011 = (((_e1001 >= _e1002) && (_e1003 >= _e1004)) && (_e1005 >= _e1006));
+                                                    if (_e1011 || (((_e1001 <= _e1002) && (_e1003 <= _e1004)) && (_e1005 <= _e1006))) {
+                                                        let _e1018 = select(-1f, 1f, _e1011);
+                                                        let _e1020 = ((_e1001 - _e1002) * _e1018);
+                                                        let _e1022 = select(0f, _e1020, (_e1020 > 0f));
+                                                        let _e1024 = ((_e1003 - _e1004) * _e1018);
+                                                        let _e1026 = select(0f, _e1024, (_e1024 > 0f));
+                                                        let _e1028 = ((_e1005 - _e1006) * _e1018);
+                                                        let _e1030 = select(0f, _e1028, (_e1028 > 0f));
+                                                        let _e1032 = ((_e1022 + _e1026) + _e1030);
+                                                        if (_e1032 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2508_ = type_30();
                                                             phi_2509_ = true;
                                                             phi_2510_ = false;
                                                         } else {
-                                                            let _e1474 = select(_e1423, _e1410, (_e1410 < _e1423));
-                                                            if (select(_e1436, _e1474, (_e1474 < _e1436)) > 0f) {
+                                                            let _e1035 = select(_e984, _e971, (_e971 < _e984));
+                                                            if (select(_e997, _e1035, (_e1035 < _e997)) > 0f) {
                                                                 phi_1776_ = true;
                                                             } else {
-                                                                let _e1479 = select(_e1423, _e1410, (_e1410 > _e1423));
-                                                                phi_1776_ = (select(_e1436, _e1479, (_e1479 > _e1436)) < 0f);
+                                                                let _e1040 = select(_e984, _e971, (_e971 > _e984));
+                                                                phi_1776_ = (select(_e997, _e1040, (_e1040 > _e997)) < 0f);
                                                             }
-                                                            let _e1484 = phi_1776_;
-                                                            if _e1484 {
+                                                            let _e1045 = phi_1776_;
+                                                            if _e1045 {
                                                                 phi_2505_ = type_30();
                                                                 phi_2506_ = true;
                                                                 phi_2507_ = false;
                                                             } else {
-                                                                let _e1486 = select(_e1426, _e1413, (_e1413 < _e1426));
-                                                                if (select(_e1439, _e1486, (_e1486 < _e1439)) > 0f) {
+                                                                let _e1047 = select(_e987, _e974, (_e974 < _e987));
+                                                                if (select(_e1000, _e1047, (_e1047 < _e1000)) > 0f) {
                                                                     phi_1805_ = true;
                                                                 } else {
-                                                                    let _e1491 = select(_e1426, _e1413, (_e1413 > _e1426));
-                                                                    phi_1805_ = (select(_e1439, _e1491, (_e1491 > _e1439)) < 0f);
+                                                                    let _e1052 = select(_e987, _e974, (_e974 > _e987));
+                                                                    phi_1805_ = (select(_e1000, _e1052, (_e1052 > _e1000)) < 0f);
                                                                 }
-                                                                let _e1496 = phi_1805_;
-                                                                if _e1496 {
+                                                                let _e1057 = phi_1805_;
+                                                                if _e1057 {
                                                                     phi_2503_ = type_30();
                                                                     phi_2504_ = false;
                                                                 } else {
-                                                                    let _e1498 = select(_e1399[1][0], _e1399[0][0], (_e1399[0][0] < _e1399[1][0]));
-                                                                    let _e1502 = select(_e1399[1][0], _e1399[0][0], (_e1399[0][0] > _e1399[1][0]));
-                                                                    let _e1506 = select(_e1399[1][1], _e1399[0][1], (_e1399[0][1] < _e1399[1][1]));
-                                                                    let _e1510 = select(_e1399[1][1], _e1399[0][1], (_e1399[0][1] > _e1399[1][1]));
-                                                                    let _e1514 = select(_e1399[1][2], _e1399[0][2], (_e1399[0][2] < _e1399[1][2]));
-                                                                    let _e1518 = select(_e1399[1][2], _e1399[0][2], (_e1399[0][2] > _e1399[1][2]));
-                                                                    let _e1523 = ((select(_e1399[2][0], _e1498, (_e1498 < _e1399[2][0])) - _e518) * _e523);
-                                                                    let _e1524 = ((select(_e1399[2][0], _e1502, (_e1502 > _e1399[2][0])) - _e519) * _e523);
-                                                                    let _e1527 = ((select(_e1399[2][1], _e1506, (_e1506 < _e1399[2][1])) - _e584) * _e589);
-                                                                    let _e1528 = ((select(_e1399[2][1], _e1510, (_e1510 > _e1399[2][1])) - _e585) * _e589);
-                                                                    let _e1531 = ((select(_e1399[2][2], _e1514, (_e1514 < _e1399[2][2])) - _e650) * _e655);
-                                                                    let _e1532 = ((select(_e1399[2][2], _e1518, (_e1518 > _e1399[2][2])) - _e651) * _e655);
-                                                                    let _e1534 = select(_e1532, _e1531, (_e1531 < _e1532));
-                                                                    let _e1536 = select(_e1532, _e1531, (_e1531 > _e1532));
-                                                                    let _e1538 = select(_e1524, _e1523, (_e1523 < _e1524));
-                                                                    let _e1540 = select(_e1528, _e1527, (_e1527 < _e1528));
-                                                                    let _e1542 = select(_e1540, _e1538, (_e1538 > _e1540));
-                                                                    let _e1544 = select(_e1534, _e1542, (_e1542 > _e1534));
-                                                                    let _e1546 = select(_e1524, _e1523, (_e1523 > _e1524));
-                                                                    let _e1548 = select(_e1528, _e1527, (_e1527 > _e1528));
-                                                                    let _e1550 = select(_e1548, _e1546, (_e1546 < _e1548));
-                                                                    let _e1552 = select(_e1536, _e1550, (_e1550 < _e1536));
-                                                                    let _e1553 = -(_e1534);
-                                                                    let _e1559 = select(_e766, _e1544, (_e1544 > _e766));
-                                                                    if (_e1559 > (_e1552 + (select(_e1553, _e1536, (_e1536 > _e1553)) * 0.0000019073523f))) {
+                                                                    let _e1059 = select(_e960[1][0], _e960[0][0], (_e960[0][0] < _e960[1][0]));
+                                                                    let _e1063 = select(_e960[1][0], _e960[0][0], (_e960[0][0] > _e960[1][0]));
+                                                                    let _e1067 = select(_e960[1][1], _e960[0][1], (_e960[0][1] < _e960[1][1]));
+                                                                    let _e1071 = select(_e960[1][1], _e960[0][1], (_e960[0][1] > _e960[1][1]));
+                                                                    let _e1075 = select(_e960[1][2], _e960[0][2], (_e960[0][2] < _e960[1][2]));
+                                                                    let _e1079 = select(_e960[1][2], _e960[0][2], (_e960[0][2] > _e960[1][2]));
+                                                                    let _e1084 = ((select(_e960[2][0], _e1059, (_e1059 < _e960[2][0])) - _e518) * _e523);
+                                                                    let _e1085 = ((select(_e960[2][0], _e1063, (_e1063 > _e960[2][0])) - _e519) * _e523);
+                                                                    let _e1088 = ((select(_e960[2][1], _e1067, (_e1067 < _e960[2][1])) - _e584) * _e589);
+                                                                    let _e1089 = ((select(_e960[2][1], _e1071, (_e1071 > _e960[2][1])) - _e585) * _e589);
+                                                                    let _e1092 = ((select(_e960[2][2], _e1075, (_e1075 < _e960[2][2])) - _e650) * _e655);
+                                                                    let _e1093 = ((select(_e960[2][2], _e1079, (_e1079 > _e960[2][2])) - _e651) * _e655);
+                                                                    let _e1095 = select(_e1093, _e1092, (_e1092 < _e1093));
+                                                                    let _e1097 = select(_e1093, _e1092, (_e1092 > _e1093));
+                                                                    let _e1099 = select(_e1085, _e1084, (_e1084 < _e1085));
+                                                                    let _e1101 = select(_e1089, _e1088, (_e1088 < _e1089));
+                                                                    let _e1103 = select(_e1101, _e1099, (_e1099 > _e1101));
+                                                                    let _e1105 = select(_e1095, _e1103, (_e1103 > _e1095));
+                                                                    let _e1107 = select(_e1085, _e1084, (_e1084 > _e1085));
+                                                                    let _e1109 = select(_e1089, _e1088, (_e1088 > _e1089));
+                                                                    let _e1111 = select(_e1109, _e1107, (_e1107 < _e1109));
+                                                                    let _e1113 = select(_e1097, _e1111, (_e1111 < _e1097));
+                                                                    let _e1114 = -(_e1095);
+                                                                    let _e1120 = select(_e766, _e1105, (_e1105 > _e766));
+                                                                    if (_e1120 > (_e1113 + (select(_e1114, _e1097, (_e1097 > _e1114)) * 0.0000019073523f))) {
                                                                         phi_2498_ = type_30();
                                                                         phi_2499_ = true;
                                                                     } else {
-                                                                        let _e1561 = (_e1559 > _e1303.member);
-                                                                        if _e1561 {
+                                                                        let _e1122 = (_e1120 > _e864.member);
+                                                                        if _e1122 {
                                                                             phi_2497_ = type_30();
                                                                         } else {
-                                                                            let _e1562 = vec3<f32>(_e1399[0][0], _e1399[0][1], _e1399[0][2]);
-                                                                            let _e1563 = vec3<f32>(_e1399[1][0], _e1399[1][1], _e1399[1][2]);
-                                                                            let _e1564 = vec3<f32>(_e1399[2][0], _e1399[2][1], _e1399[2][2]);
-                                                                            let _e1565 = (_e1399[1][0] - _e1399[0][0]);
-                                                                            let _e1566 = (_e1399[1][1] - _e1399[0][1]);
-                                                                            let _e1567 = (_e1399[1][2] - _e1399[0][2]);
-                                                                            let _e1568 = vec3<f32>(_e1565, _e1566, _e1567);
-                                                                            let _e1569 = (_e1399[2][0] - _e1399[1][0]);
-                                                                            let _e1570 = (_e1399[2][1] - _e1399[1][1]);
-                                                                            let _e1571 = (_e1399[2][2] - _e1399[1][2]);
-                                                                            let _e1572 = vec3<f32>(_e1569, _e1570, _e1571);
-                                                                            let _e1573 = (_e1399[0][0] - _e1399[2][0]);
-                                                                            let _e1574 = (_e1399[0][1] - _e1399[2][1]);
-                                                                            let _e1575 = (_e1399[0][2] - _e1399[2][2]);
-                                                                            let _e1576 = vec3<f32>(_e1573, _e1574, _e1575);
-                                                                            let _e1579 = bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u));
-                                                                            let _e1582 = bitcast<f32>((bitcast<u32>(_e1566) & 2147483647u));
-                                                                            let _e1584 = select(_e1582, _e1579, (_e1579 > _e1582));
-                                                                            let _e1587 = bitcast<f32>((bitcast<u32>(_e1567) & 2147483647u));
-                                                                            let _e1589 = select(_e1587, _e1584, (_e1584 > _e1587));
-                                                                            let _e1592 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
-                                                                            let _e1595 = bitcast<f32>((bitcast<u32>(_e1570) & 2147483647u));
-                                                                            let _e1597 = select(_e1595, _e1592, (_e1592 > _e1595));
-                                                                            let _e1600 = bitcast<f32>((bitcast<u32>(_e1571) & 2147483647u));
-                                                                            let _e1602 = select(_e1600, _e1597, (_e1597 > _e1600));
-                                                                            let _e1605 = bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u));
-                                                                            let _e1608 = bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u));
-                                                                            let _e1610 = select(_e1608, _e1605, (_e1605 > _e1608));
-                                                                            let _e1613 = bitcast<f32>((bitcast<u32>(_e1575) & 2147483647u));
-                                                                            let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
-                                                                            let _e1617 = select(_e1602, _e1589, (_e1589 > _e1602));
-                                                                            let _e1619 = select(_e1615, _e1617, (_e1617 > _e1615));
-                                                                            if (_e1589 == _e1619) {
-                                                                                phi_2224_ = _e1426;
-                                                                                phi_2225_ = _e1423;
-                                                                                phi_2226_ = _e1413;
-                                                                                phi_2227_ = _e1410;
-                                                                                phi_2228_ = _e1562;
-                                                                                phi_2229_ = _e1576;
-                                                                                phi_2230_ = _e1572;
-                                                                                phi_2231_ = _e1568;
+                                                                            let _e1123 = vec3<f32>(_e960[0][0], _e960[0][1], _e960[0][2]);
+                                                                            let _e1124 = vec3<f32>(_e960[1][0], _e960[1][1], _e960[1][2]);
+                                                                            let _e1125 = vec3<f32>(_e960[2][0], _e960[2][1], _e960[2][2]);
+                                                                            let _e1126 = (_e960[1][0] - _e960[0][0]);
+                                                                            let _e1127 = (_e960[1][1] - _e960[0][1]);
+                                                                            let _e1128 = (_e960[1][2] - _e960[0][2]);
+                                                                            let _e1129 = vec3<f32>(_e1126, _e1127, _e1128);
+                                                                            let _e1130 = (_e960[2][0] - _e960[1][0]);
+                                                                            let _e1131 = (_e960[2][1] - _e960[1][1]);
+                                                                            let _e1132 = (_e960[2][2] - _e960[1][2]);
+                                                                            let _e1133 = vec3<f32>(_e1130, _e1131, _e1132);
+                                                                            let _e1134 = (_e960[0][0] - _e960[2][0]);
+                                                                            let _e1135 = (_e960[0][1] - _e960[2][1]);
+                                                                            let _e1136 = (_e960[0][2] - _e960[2][2]);
+                                                                            let _e1137 = vec3<f32>(_e1134, _e1135, _e1136);
+                                                                            let _e1140 = bitcast<f32>((bitcast<u32>(_e1126) & 2147483647u));
+                                                                            let _e1143 = bitcast<f32>((bitcast<u32>(_e1127) & 2147483647u));
+                                                                            let _e1145 = select(_e1143, _e1140, (_e1140 > _e1143));
+                                                                            let _e1148 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
+                                                                            let _e1150 = select(_e1148, _e1145, (_e1145 > _e1148));
+                                                                            let _e1153 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
+                                                                            let _e1156 = bitcast<f32>((bitcast<u32>(_e1131) & 2147483647u));
+                                                                            let _e1158 = select(_e1156, _e1153, (_e1153 > _e1156));
+                                                                            let _e1161 = bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u));
+                                                                            let _e1163 = select(_e1161, _e1158, (_e1158 > _e1161));
+                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
+                                                                            let _e1169 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
+                                                                            let _e1171 = select(_e1169, _e1166, (_e1166 > _e1169));
+                                                                            let _e1174 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
+                                                                            let _e1176 = select(_e1174, _e1171, (_e1171 > _e1174));
+                                                                            let _e1178 = select(_e1163, _e1150, (_e1150 > _e1163));
+                                                                            let _e1180 = select(_e1176, _e1178, (_e1178 > _e1176));
+                                                                            if (_e1150 == _e1180) {
+                                                                                phi_2224_ = _e987;
+                                                                                phi_2225_ = _e984;
+                                                                                phi_2226_ = _e974;
+                                                                                phi_2227_ = _e971;
+                                                                                phi_2228_ = _e1123;
+                                                                                phi_2229_ = _e1137;
+                                                                                phi_2230_ = _e1133;
+                                                                                phi_2231_ = _e1129;
                                                                             } else {
-                                                                                let _e1621 = (_e1602 == _e1619);
-                                                                                let _e1626 = vec3(_e1621);
-                                                                                phi_2224_ = select(_e1413, _e1439, _e1621);
-                                                                                phi_2225_ = select(_e1410, _e1436, _e1621);
-                                                                                phi_2226_ = select(_e1439, _e1426, _e1621);
-                                                                                phi_2227_ = select(_e1436, _e1423, _e1621);
-                                                                                phi_2228_ = select(_e1564, _e1563, _e1626);
-                                                                                phi_2229_ = select(_e1572, _e1568, _e1626);
-                                                                                phi_2230_ = select(_e1568, _e1576, _e1626);
-                                                                                phi_2231_ = select(_e1576, _e1572, _e1626);
+                                                                                let _e1182 = (_e1163 == _e1180);
+                                                                                let _e1187 = vec3(_e1182);
+                                                                                phi_2224_ = select(_e974, _e1000, _e1182);
+                                                                                phi_2225_ = select(_e971, _e997, _e1182);
+                                                                                phi_2226_ = select(_e1000, _e987, _e1182);
+                                                                                phi_2227_ = select(_e997, _e984, _e1182);
+                                                                                phi_2228_ = select(_e1125, _e1124, _e1187);
+                                                                                phi_2229_ = select(_e1133, _e1129, _e1187);
+                                                                                phi_2230_ = select(_e1129, _e1137, _e1187);
+                                                                                phi_2231_ = select(_e1137, _e1133, _e1187);
                                                                             }
-                                                                            let _e1632 = phi_2224_;
-                                                                            let _e1634 = phi_2225_;
-                                                                            let _e1636 = phi_2226_;
-                                                                            let _e1638 = phi_2227_;
-                                                                            let _e1640 = phi_2228_;
-                                                                            let _e1642 = phi_2229_;
-                                                                            let _e1644 = phi_2230_;
-                                                                            let _e1646 = phi_2231_;
-                                                                            let _e1653 = ((_e1644.y * _e1642.z) - (_e1642.y * _e1644.z));
-                                                                            let _e1658 = ((_e1644.z * _e1642.x) - (_e1642.z * _e1644.x));
-                                                                            let _e1661 = ((_e1644.x * _e1642.y) - (_e1642.x * _e1644.y));
-                                                                            if (_e1461 >= _e1465) {
-                                                                                phi_2268_ = select(true, false, (_e1461 >= _e1469));
+                                                                            let _e1193 = phi_2224_;
+                                                                            let _e1195 = phi_2225_;
+                                                                            let _e1197 = phi_2226_;
+                                                                            let _e1199 = phi_2227_;
+                                                                            let _e1201 = phi_2228_;
+                                                                            let _e1203 = phi_2229_;
+                                                                            let _e1205 = phi_2230_;
+                                                                            let _e1207 = phi_2231_;
+                                                                            let _e1214 = ((_e1205.y * _e1203.z) - (_e1203.y * _e1205.z));
+                                                                            let _e1219 = ((_e1205.z * _e1203.x) - (_e1203.z * _e1205.x));
+                                                                            let _e1222 = ((_e1205.x * _e1203.y) - (_e1203.x * _e1205.y));
+                                                                            if (_e1022 >= _e1026) {
+                                                                                phi_2268_ = select(true, false, (_e1022 >= _e1030));
                                                                             } else {
                                                                                 phi_2268_ = true;
                                                                             }
-                                                                            let _e1666 = phi_2268_;
-                                                                            if _e1666 {
-                                                                                phi_2277_ = select(_e1564, _e1563, vec3((_e1465 >= _e1469)));
+                                                                            let _e1227 = phi_2268_;
+                                                                            if _e1227 {
+                                                                                phi_2277_ = select(_e1125, _e1124, vec3((_e1026 >= _e1030)));
                                                                             } else {
-                                                                                phi_2277_ = _e1562;
+                                                                                phi_2277_ = _e1123;
                                                                             }
-                                                                            let _e1671 = phi_2277_;
-                                                                            let _e1682 = (((_e1653 * (_e1671.x - _e480)) + (_e1658 * (_e1671.y - _e547))) + (_e1661 * (_e1671.z - _e613)));
-                                                                            let _e1687 = (((_e1653 * _e520) + (_e1658 * _e586)) + (_e1661 * _e652));
-                                                                            let _e1688 = (_e1634 - _e1638);
-                                                                            let _e1689 = (_e1632 - _e1636);
-                                                                            let _e1697 = (-(((_e1638 * _e1688) + (_e1636 * _e1689))) / ((_e1688 * _e1688) + (_e1689 * _e1689)));
-                                                                            let _e1699 = select(1f, _e1697, (_e1697 < 1f));
-                                                                            let _e1701 = select(0f, _e1699, (_e1699 > 0f));
-                                                                            let _e1714 = ((_e1640.x + (_e1646.x * _e1701)) - _e480);
-                                                                            let _e1715 = ((_e1640.y + (_e1646.y * _e1701)) - _e547);
-                                                                            let _e1716 = ((_e1640.z + (_e1646.z * _e1701)) - _e613);
-                                                                            let _e1717 = (_e1716 / _e652);
-                                                                            let _e1729 = bitcast<f32>((bitcast<u32>(_e1714) & 2147483647u));
-                                                                            let _e1732 = bitcast<f32>((bitcast<u32>(_e1715) & 2147483647u));
-                                                                            let _e1734 = select(_e1732, _e1729, (_e1729 > _e1732));
-                                                                            let _e1737 = bitcast<f32>((bitcast<u32>(_e1716) & 2147483647u));
-                                                                            let _e1739 = select(_e1737, _e1734, (_e1734 > _e1737));
-                                                                            let _e1745 = bitcast<f32>((bitcast<u32>(_e1653) & 2147483647u));
-                                                                            let _e1748 = bitcast<f32>((bitcast<u32>(_e1658) & 2147483647u));
-                                                                            let _e1750 = select(_e1748, _e1745, (_e1745 > _e1748));
-                                                                            let _e1753 = bitcast<f32>((bitcast<u32>(_e1661) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1653 * _e1714) + (_e1658 * _e1715)) + (_e1661 * _e1716)) - _e1682)) & 2147483647u)) <= ((0.0000009536743f * select(_e1619, _e1739, (_e1739 > _e1619))) * select(_e1753, _e1750, (_e1750 > _e1753)))) {
-                                                                                let _e1763 = bitcast<f32>((bitcast<u32>(_e1644.x) & 2147483647u));
-                                                                                let _e1766 = bitcast<f32>((bitcast<u32>(_e1644.y) & 2147483647u));
-                                                                                let _e1768 = select(_e1766, _e1763, (_e1763 > _e1766));
-                                                                                let _e1771 = bitcast<f32>((bitcast<u32>(_e1644.z) & 2147483647u));
-                                                                                let _e1777 = bitcast<f32>((bitcast<u32>(_e1642.x) & 2147483647u));
-                                                                                let _e1780 = bitcast<f32>((bitcast<u32>(_e1642.y) & 2147483647u));
-                                                                                let _e1782 = select(_e1780, _e1777, (_e1777 > _e1780));
-                                                                                let _e1785 = bitcast<f32>((bitcast<u32>(_e1642.z) & 2147483647u));
-                                                                                let _e1789 = (bitcast<f32>((bitcast<u32>(_e1687) & 2147483647u)) > ((0.0000038146973f * select(_e1771, _e1768, (_e1768 > _e1771))) * select(_e1785, _e1782, (_e1782 > _e1785))));
-                                                                                if _e1789 {
-                                                                                    phi_2442_ = (_e1682 / _e1687);
+                                                                            let _e1232 = phi_2277_;
+                                                                            let _e1243 = (((_e1214 * (_e1232.x - _e480)) + (_e1219 * (_e1232.y - _e547))) + (_e1222 * (_e1232.z - _e613)));
+                                                                            let _e1248 = (((_e1214 * _e520) + (_e1219 * _e586)) + (_e1222 * _e652));
+                                                                            let _e1249 = (_e1195 - _e1199);
+                                                                            let _e1250 = (_e1193 - _e1197);
+                                                                            let _e1258 = (-(((_e1199 * _e1249) + (_e1197 * _e1250))) / ((_e1249 * _e1249) + (_e1250 * _e1250)));
+                                                                            let _e1260 = select(1f, _e1258, (_e1258 < 1f));
+                                                                            let _e1262 = select(0f, _e1260, (_e1260 > 0f));
+                                                                            let _e1275 = ((_e1201.x + (_e1207.x * _e1262)) - _e480);
+                                                                            let _e1276 = ((_e1201.y + (_e1207.y * _e1262)) - _e547);
+                                                                            let _e1277 = ((_e1201.z + (_e1207.z * _e1262)) - _e613);
+                                                                            let _e1278 = (_e1277 / _e652);
+                                                                            let _e1290 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
+                                                                            let _e1293 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
+                                                                            let _e1295 = select(_e1293, _e1290, (_e1290 > _e1293));
+                                                                            let _e1298 = bitcast<f32>((bitcast<u32>(_e1277) & 2147483647u));
+                                                                            let _e1300 = select(_e1298, _e1295, (_e1295 > _e1298));
+                                                                            let _e1306 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
+                                                                            let _e1309 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
+                                                                            let _e1311 = select(_e1309, _e1306, (_e1306 > _e1309));
+                                                                            let _e1314 = bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1214 * _e1275) + (_e1219 * _e1276)) + (_e1222 * _e1277)) - _e1243)) & 2147483647u)) <= ((0.0000009536743f * select(_e1180, _e1300, (_e1300 > _e1180))) * select(_e1314, _e1311, (_e1311 > _e1314)))) {
+                                                                                let _e1324 = bitcast<f32>((bitcast<u32>(_e1205.x) & 2147483647u));
+                                                                                let _e1327 = bitcast<f32>((bitcast<u32>(_e1205.y) & 2147483647u));
+                                                                                let _e1329 = select(_e1327, _e1324, (_e1324 > _e1327));
+                                                                                let _e1332 = bitcast<f32>((bitcast<u32>(_e1205.z) & 2147483647u));
+                                                                                let _e1338 = bitcast<f32>((bitcast<u32>(_e1203.x) & 2147483647u));
+                                                                                let _e1341 = bitcast<f32>((bitcast<u32>(_e1203.y) & 2147483647u));
+                                                                                let _e1343 = select(_e1341, _e1338, (_e1338 > _e1341));
+                                                                                let _e1346 = bitcast<f32>((bitcast<u32>(_e1203.z) & 2147483647u));
+                                                                                let _e1350 = (bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u)) > ((0.0000038146973f * select(_e1332, _e1329, (_e1329 > _e1332))) * select(_e1346, _e1343, (_e1343 > _e1346))));
+                                                                                if _e1350 {
+                                                                                    phi_2442_ = (_e1243 / _e1248);
                                                                                 } else {
                                                                                     phi_2442_ = f32();
                                                                                 }
-                                                                                let _e1792 = phi_2442_;
-                                                                                phi_2444_ = _e1792;
-                                                                                phi_2445_ = select(true, false, _e1789);
+                                                                                let _e1353 = phi_2442_;
+                                                                                phi_2444_ = _e1353;
+                                                                                phi_2445_ = select(true, false, _e1350);
                                                                             } else {
                                                                                 phi_2444_ = f32();
                                                                                 phi_2445_ = true;
                                                                             }
-                                                                            let _e1795 = phi_2444_;
-                                                                            let _e1797 = phi_2445_;
-                                                                            if _e1797 {
-                                                                                let _e1805 = (((_e1653 * (_e1714 - (_e520 * _e1717))) + (_e1658 * (_e1715 - (_e586 * _e1717)))) / _e1687);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1805) & 2147483647u)) <= _e1619) {
-                                                                                    phi_2465_ = (_e1717 + _e1805);
+                                                                            let _e1356 = phi_2444_;
+                                                                            let _e1358 = phi_2445_;
+                                                                            if _e1358 {
+                                                                                let _e1366 = (((_e1214 * (_e1275 - (_e520 * _e1278))) + (_e1219 * (_e1276 - (_e586 * _e1278)))) / _e1248);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1366) & 2147483647u)) <= _e1180) {
+                                                                                    phi_2465_ = (_e1278 + _e1366);
                                                                                 } else {
-                                                                                    phi_2465_ = _e1717;
+                                                                                    phi_2465_ = _e1278;
                                                                                 }
-                                                                                let _e1812 = phi_2465_;
-                                                                                phi_2466_ = _e1812;
+                                                                                let _e1373 = phi_2465_;
+                                                                                phi_2466_ = _e1373;
                                                                             } else {
-                                                                                phi_2466_ = _e1795;
+                                                                                phi_2466_ = _e1356;
                                                                             }
-                                                                            let _e1814 = phi_2466_;
-                                                                            let _e1816 = select(_e1552, _e1814, (_e1814 < _e1552));
-                                                                            let _e1818 = select(_e1544, _e1816, (_e1816 > _e1544));
-                                                                            if (_e1818 >= _e766) {
-                                                                                let _e1820 = (_e1818 <= _e1303.member);
-                                                                                if _e1820 {
-                                                                                    let _e1821 = (1f / _e1471);
-                                                                                    phi_2489_ = type_30(_e1818, (_e1465 * _e1821), (_e1469 * _e1821), _e1332);
+                                                                            let _e1375 = phi_2466_;
+                                                                            let _e1377 = select(_e1113, _e1375, (_e1375 < _e1113));
+                                                                            let _e1379 = select(_e1105, _e1377, (_e1377 > _e1105));
+                                                                            if (_e1379 >= _e766) {
+                                                                                let _e1381 = (_e1379 <= _e864.member);
+                                                                                if _e1381 {
+                                                                                    let _e1382 = (1f / _e1032);
+                                                                                    phi_2489_ = type_30(_e1379, (_e1026 * _e1382), (_e1030 * _e1382), _e893);
                                                                                 } else {
                                                                                     phi_2489_ = type_30();
                                                                                 }
-                                                                                let _e1826 = phi_2489_;
-                                                                                phi_2491_ = _e1826;
-                                                                                phi_2492_ = select(true, false, _e1820);
+                                                                                let _e1387 = phi_2489_;
+                                                                                phi_2491_ = _e1387;
+                                                                                phi_2492_ = select(true, false, _e1381);
                                                                             } else {
                                                                                 phi_2491_ = type_30();
                                                                                 phi_2492_ = true;
                                                                             }
-                                                                            let _e1829 = phi_2491_;
-                                                                            let _e1831 = phi_2492_;
-                                                                            if _e1831 {
+                                                                            let _e1390 = phi_2491_;
+                                                                            let _e1392 = phi_2492_;
+                                                                            if _e1392 {
                                                                                 phi_2496_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2496_ = _e1829;
+                                                                                phi_2496_ = _e1390;
                                                                             }
-                                                                            let _e1833 = phi_2496_;
-                                                                            phi_2497_ = _e1833;
+                                                                            let _e1394 = phi_2496_;
+                                                                            phi_2497_ = _e1394;
                                                                         }
-                                                                        let _e1835 = phi_2497_;
-                                                                        phi_2498_ = _e1835;
-                                                                        phi_2499_ = _e1561;
+                                                                        let _e1396 = phi_2497_;
+                                                                        phi_2498_ = _e1396;
+                                                                        phi_2499_ = _e1122;
                                                                     }
-                                                                    let _e1837 = phi_2498_;
-                                                                    let _e1839 = phi_2499_;
-                                                                    phi_2503_ = _e1837;
-                                                                    phi_2504_ = _e1839;
+                                                                    let _e1398 = phi_2498_;
+                                                                    let _e1400 = phi_2499_;
+                                                                    phi_2503_ = _e1398;
+                                                                    phi_2504_ = _e1400;
                                                                 }
-                                                                let _e1841 = phi_2503_;
-                                                                let _e1843 = phi_2504_;
-                                                                phi_2505_ = _e1841;
-                                                                phi_2506_ = _e1496;
-                                                                phi_2507_ = _e1843;
+                                                                let _e1402 = phi_2503_;
+                                                                let _e1404 = phi_2504_;
+                                                                phi_2505_ = _e1402;
+                                                                phi_2506_ = _e1057;
+                                                                phi_2507_ = _e1404;
                                                             }
-                                                            let _e1845 = phi_2505_;
-                                                            let _e1847 = phi_2506_;
-                                                            let _e1849 = phi_2507_;
-                                                            phi_2508_ = _e1845;
-                                                            phi_2509_ = _e1847;
-                                                            phi_2510_ = _e1849;
+                                                            let _e1406 = phi_2505_;
+                                                            let _e1408 = phi_2506_;
+                                                            let _e1410 = phi_2507_;
+                                                            phi_2508_ = _e1406;
+                                                            phi_2509_ = _e1408;
+                                                            phi_2510_ = _e1410;
                                                         }
-                                                        let _e1851 = phi_2508_;
-                                                        let _e1853 = phi_2509_;
-                                                        let _e1855 = phi_2510_;
-                                                        phi_2518_ = _e1851;
-                                                        phi_2519_ = select(_e1855, true, _e1853);
+                                                        let _e1412 = phi_2508_;
+                                                        let _e1414 = phi_2509_;
+                                                        let _e1416 = phi_2510_;
+                                                        phi_2518_ = _e1412;
+                                                        phi_2519_ = select(_e1416, true, _e1414);
                                                     } else {
                                                         phi_2518_ = type_30();
                                                         phi_2519_ = true;
                                                     }
-                                                    let _e1858 = phi_2518_;
-                                                    let _e1860 = phi_2519_;
-                                                    if _e1860 {
+                                                    let _e1419 = phi_2518_;
+                                                    let _e1421 = phi_2519_;
+                                                    if _e1421 {
                                                         phi_2523_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2523_ = _e1858;
+                                                        phi_2523_ = _e1419;
                                                     }
-                                                    let _e1862 = phi_2523_;
-                                                    if (_e1862.member_3 != 4294967295u) {
-                                                        if (_e1332 == _e168) {
+                                                    let _e1423 = phi_2523_;
+                                                    if (_e1423.member_3 != 4294967295u) {
+                                                        if (_e893 == _e168) {
                                                             phi_2858_ = false;
                                                         } else {
-                                                            let _e1866 = (_e1332 < arrayLength((&global_7.member)));
-                                                            if _e1866 {
-                                                                if _e1866 {
+                                                            let _e1427 = (_e893 < arrayLength((&global_7.member)));
+                                                            if _e1427 {
+                                                                if _e1427 {
                                                                 } else {
-                                                                    phi_4368_ = true;
+                                                                    phi_4371_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1868 = global_7.member[_e1332];
-                                                                phi_2546_ = _e1868;
+                                                                let _e1429 = global_7.member[_e893];
+                                                                phi_2546_ = _e1429;
                                                             } else {
                                                                 phi_2546_ = 4294967295u;
                                                             }
-                                                            let _e1870 = phi_2546_;
-                                                            let _e1871 = (_e1870 < arrayLength((&global_8.member)));
-                                                            if _e1871 {
-                                                                if _e1871 {
+                                                            let _e1431 = phi_2546_;
+                                                            let _e1432 = (_e1431 < arrayLength((&global_8.member)));
+                                                            if _e1432 {
+                                                                if _e1432 {
                                                                 } else {
-                                                                    phi_4368_ = true;
+                                                                    phi_4371_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1873 = global_8.member[_e1870];
-                                                                phi_2560_ = _e1873;
+                                                                let _e1434 = global_8.member[_e1431];
+                                                                phi_2560_ = _e1434;
                                                             } else {
                                                                 phi_2560_ = 0i;
                                                             }
-                                                            let _e1875 = phi_2560_;
-                                                            let _e1876 = (_e1875 == 0i);
-                                                            if _e1876 {
+                                                            let _e1436 = phi_2560_;
+                                                            let _e1437 = (_e1436 == 0i);
+                                                            if _e1437 {
                                                                 phi_2857_ = true;
                                                             } else {
                                                                 if _e457 {
-                                                                    phi_2583_ = vec3<f32>(_e1399[0][0], _e1399[0][1], _e1399[0][2]);
+                                                                    phi_2583_ = vec3<f32>(_e960[0][0], _e960[0][1], _e960[0][2]);
                                                                 } else {
                                                                     if (_e433 == 1u) {
-                                                                        phi_2582_ = vec3<f32>(_e1399[0][2], _e1399[0][0], _e1399[0][1]);
+                                                                        phi_2582_ = vec3<f32>(_e960[0][2], _e960[0][0], _e960[0][1]);
                                                                     } else {
-                                                                        phi_2582_ = vec3<f32>(_e1399[0][1], _e1399[0][2], _e1399[0][0]);
+                                                                        phi_2582_ = vec3<f32>(_e960[0][1], _e960[0][2], _e960[0][0]);
                                                                     }
-                                                                    let _e1881 = phi_2582_;
-                                                                    phi_2583_ = _e1881;
+                                                                    let _e1442 = phi_2582_;
+                                                                    phi_2583_ = _e1442;
                                                                 }
-                                                                let _e1884 = phi_2583_;
+                                                                let _e1445 = phi_2583_;
                                                                 if _e457 {
-                                                                    phi_2602_ = vec3<f32>(_e1399[1][0], _e1399[1][1], _e1399[1][2]);
+                                                                    phi_2602_ = vec3<f32>(_e960[1][0], _e960[1][1], _e960[1][2]);
                                                                 } else {
                                                                     if (_e433 == 1u) {
-                                                                        phi_2601_ = vec3<f32>(_e1399[1][2], _e1399[1][0], _e1399[1][1]);
+                                                                        phi_2601_ = vec3<f32>(_e960[1][2], _e960[1][0], _e960[1][1]);
                                                                     } else {
-                                                                        phi_2601_ = vec3<f32>(_e1399[1][1], _e1399[1][2], _e1399[1][0]);
+                                                                        phi_2601_ = vec3<f32>(_e960[1][1], _e960[1][2], _e960[1][0]);
                                                                     }
-                                                                    let _e1889 = phi_2601_;
-                                                                    phi_2602_ = _e1889;
+                                                                    let _e1450 = phi_2601_;
+                                                                    phi_2602_ = _e1450;
                                                                 }
-                                                                let _e1892 = phi_2602_;
+                                                                let _e1453 = phi_2602_;
                                                                 if _e457 {
-                                                                    phi_2621_ = vec3<f32>(_e1399[2][0], _e1399[2][1], _e1399[2][2]);
+                                                                    phi_2621_ = vec3<f32>(_e960[2][0], _e960[2][1], _e960[2][2]);
                                                                 } else {
                                                                     if (_e433 == 1u) {
-                                                                        phi_2620_ = vec3<f32>(_e1399[2][2], _e1399[2][0], _e1399[2][1]);
+                                                                        phi_2620_ = vec3<f32>(_e960[2][2], _e960[2][0], _e960[2][1]);
                                                                     } else {
-                                                                        phi_2620_ = vec3<f32>(_e1399[2][1], _e1399[2][2], _e1399[2][0]);
+                                                                        phi_2620_ = vec3<f32>(_e960[2][1], _e960[2][2], _e960[2][0]);
                                                                     }
-                                                                    let _e1897 = phi_2620_;
-                                                                    phi_2621_ = _e1897;
+                                                                    let _e1458 = phi_2620_;
+                                                                    phi_2621_ = _e1458;
                                                                 }
-                                                                let _e1900 = phi_2621_;
-                                                                let _e1903 = (_e1892.x - _e1884.x);
-                                                                let _e1906 = (_e1892.y - _e1884.y);
-                                                                let _e1909 = (_e1892.z - _e1884.z);
-                                                                let _e1911 = (_e1900.x - _e1884.x);
-                                                                let _e1913 = (_e1900.y - _e1884.y);
-                                                                let _e1915 = (_e1900.z - _e1884.z);
+                                                                let _e1461 = phi_2621_;
+                                                                let _e1464 = (_e1453.x - _e1445.x);
+                                                                let _e1467 = (_e1453.y - _e1445.y);
+                                                                let _e1470 = (_e1453.z - _e1445.z);
+                                                                let _e1472 = (_e1461.x - _e1445.x);
+                                                                let _e1474 = (_e1461.y - _e1445.y);
+                                                                let _e1476 = (_e1461.z - _e1445.z);
                                                                 if (_e300.member_1 == 1u) {
-                                                                    phi_2657_ = (vec3<f32>(_e300.member[0], _e300.member[1], _e300.member[2]) - _e1884);
+                                                                    phi_2657_ = (vec3<f32>(_e300.member[0], _e300.member[1], _e300.member[2]) - _e1445);
                                                                 } else {
                                                                     phi_2657_ = vec3<f32>(_e300.member[0], _e300.member[1], _e300.member[2]);
                                                                 }
-                                                                let _e1930 = phi_2657_;
-                                                                let _e1936 = bitcast<f32>((bitcast<u32>((_e1903 * _e1913)) ^ _e300.member_3[0]));
-                                                                let _e1940 = bitcast<f32>((bitcast<u32>((_e1906 * _e1911)) ^ _e300.member_3[0]));
-                                                                let _e1944 = bitcast<f32>((bitcast<u32>((_e1906 * _e1915)) ^ _e300.member_3[0]));
-                                                                let _e1948 = bitcast<f32>((bitcast<u32>((_e1909 * _e1913)) ^ _e300.member_3[0]));
-                                                                let _e1952 = bitcast<f32>((bitcast<u32>((_e1909 * _e1911)) ^ _e300.member_3[0]));
-                                                                let _e1956 = bitcast<f32>((bitcast<u32>((_e1903 * _e1915)) ^ _e300.member_3[0]));
-                                                                let _e1957 = (_e1944 - _e1948);
-                                                                let _e1958 = (_e1952 - _e1956);
-                                                                let _e1959 = (_e1936 - _e1940);
-                                                                let _e1983 = (bitcast<f32>((bitcast<u32>(_e1944) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1948) & 2147483647u)));
-                                                                let _e1990 = (bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1956) & 2147483647u)));
-                                                                let _e1997 = (bitcast<f32>((bitcast<u32>(_e1936) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1940) & 2147483647u)));
+                                                                let _e1491 = phi_2657_;
+                                                                let _e1497 = bitcast<f32>((bitcast<u32>((_e1464 * _e1474)) ^ _e300.member_3[0]));
+                                                                let _e1501 = bitcast<f32>((bitcast<u32>((_e1467 * _e1472)) ^ _e300.member_3[0]));
+                                                                let _e1505 = bitcast<f32>((bitcast<u32>((_e1467 * _e1476)) ^ _e300.member_3[0]));
+                                                                let _e1509 = bitcast<f32>((bitcast<u32>((_e1470 * _e1474)) ^ _e300.member_3[0]));
+                                                                let _e1513 = bitcast<f32>((bitcast<u32>((_e1470 * _e1472)) ^ _e300.member_3[0]));
+                                                                let _e1517 = bitcast<f32>((bitcast<u32>((_e1464 * _e1476)) ^ _e300.member_3[0]));
+                                                                let _e1518 = (_e1505 - _e1509);
+                                                                let _e1519 = (_e1513 - _e1517);
+                                                                let _e1520 = (_e1497 - _e1501);
+                                                                let _e1544 = (bitcast<f32>((bitcast<u32>(_e1505) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1509) & 2147483647u)));
+                                                                let _e1551 = (bitcast<f32>((bitcast<u32>(_e1513) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1517) & 2147483647u)));
+                                                                let _e1558 = (bitcast<f32>((bitcast<u32>(_e1497) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1501) & 2147483647u)));
                                                                 if (_e300.member_2 == 0f) {
                                                                     phi_2839_ = 0f;
                                                                 } else {
-                                                                    let _e2027 = bitcast<f32>((bitcast<u32>(_e1957) & 2147483647u));
-                                                                    let _e2030 = bitcast<f32>((bitcast<u32>(_e1958) & 2147483647u));
-                                                                    let _e2033 = bitcast<f32>((bitcast<u32>(_e1959) & 2147483647u));
-                                                                    let _e2035 = select(_e2033, _e2030, (_e2030 > _e2033));
-                                                                    let _e2039 = select(_e2033, _e2030, (_e2030 < _e2033));
-                                                                    let _e2043 = select(_e2030, _e2027, (_e2027 < _e2030));
-                                                                    let _e2045 = select(_e2030, _e2027, (_e2027 > _e2030));
-                                                                    let _e2047 = select(_e2033, _e2045, (_e2045 < _e2033));
-                                                                    phi_2839_ = bitcast<f32>((bitcast<u32>((_e300.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2035, _e2027, (_e2027 > _e2035)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2047, _e2043, (_e2043 > _e2047)))) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2039, _e2027, (_e2027 < _e2039)))) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1983 + _e1990) + _e1997))) ^ _e300.member_3[0]))) * 1.0000005f)) ^ _e300.member_3[0])))) ^ _e300.member_3[0]));
+                                                                    let _e1588 = bitcast<f32>((bitcast<u32>(_e1518) & 2147483647u));
+                                                                    let _e1591 = bitcast<f32>((bitcast<u32>(_e1519) & 2147483647u));
+                                                                    let _e1594 = bitcast<f32>((bitcast<u32>(_e1520) & 2147483647u));
+                                                                    let _e1596 = select(_e1594, _e1591, (_e1591 > _e1594));
+                                                                    let _e1600 = select(_e1594, _e1591, (_e1591 < _e1594));
+                                                                    let _e1604 = select(_e1591, _e1588, (_e1588 < _e1591));
+                                                                    let _e1606 = select(_e1591, _e1588, (_e1588 > _e1591));
+                                                                    let _e1608 = select(_e1594, _e1606, (_e1606 < _e1594));
+                                                                    phi_2839_ = bitcast<f32>((bitcast<u32>((_e300.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1596, _e1588, (_e1588 > _e1596)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1608, _e1604, (_e1604 > _e1608)))) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1600, _e1588, (_e1588 < _e1600)))) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1544 + _e1551) + _e1558))) ^ _e300.member_3[0]))) * 1.0000005f)) ^ _e300.member_3[0])))) ^ _e300.member_3[0]));
                                                                 }
-                                                                let _e2074 = phi_2839_;
-                                                                phi_2857_ = (_e1876 || !(((((bitcast<f32>((bitcast<u32>((_e1930.x * _e1957)) ^ _e300.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1930.y * _e1958)) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1930.z * _e1959)) ^ _e300.member_3[0]))) * f32(-(_e1875))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1930.x) & 2147483647u)) * _e1983)) ^ _e300.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1930.y) & 2147483647u)) * _e1990)) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1930.z) & 2147483647u)) * _e1997)) ^ _e300.member_3[0]))))) ^ _e300.member_3[0])) + _e2074) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1635 = phi_2839_;
+                                                                phi_2857_ = (_e1437 || !(((((bitcast<f32>((bitcast<u32>((_e1491.x * _e1518)) ^ _e300.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1491.y * _e1519)) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1491.z * _e1520)) ^ _e300.member_3[0]))) * f32(-(_e1436))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1491.x) & 2147483647u)) * _e1544)) ^ _e300.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1491.y) & 2147483647u)) * _e1551)) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1491.z) & 2147483647u)) * _e1558)) ^ _e300.member_3[0]))))) ^ _e300.member_3[0])) + _e1635) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2088 = phi_2857_;
-                                                            phi_2858_ = _e2088;
+                                                            let _e1649 = phi_2857_;
+                                                            phi_2858_ = _e1649;
                                                         }
-                                                        let _e2090 = phi_2858_;
-                                                        if _e2090 {
-                                                            phi_2863_ = type_51(_e1303.member, true);
+                                                        let _e1651 = phi_2858_;
+                                                        if _e1651 {
+                                                            phi_2863_ = type_51(_e864.member, true);
                                                         } else {
-                                                            phi_2863_ = _e1303;
+                                                            phi_2863_ = _e864;
                                                         }
-                                                        let _e2095 = phi_2863_;
-                                                        phi_2864_ = _e2095;
+                                                        let _e1656 = phi_2863_;
+                                                        phi_2864_ = _e1656;
                                                     } else {
-                                                        phi_2864_ = _e1303;
+                                                        phi_2864_ = _e864;
                                                     }
-                                                    let _e2097 = phi_2864_;
-                                                    phi_1486_ = _e2097;
+                                                    let _e1658 = phi_2864_;
+                                                    phi_1486_ = _e1658;
                                                 } else {
                                                     phi_1486_ = type_51();
                                                 }
-                                                let _e2099 = phi_1486_;
+                                                let _e1660 = phi_1486_;
                                                 continue;
                                                 continuing {
-                                                    phi_1485_ = _e2099;
-                                                    phi_1488_ = _e1318;
-                                                    phi_4368_ = _e808;
-                                                    break if !(_e1324);
+                                                    phi_1485_ = _e1660;
+                                                    phi_1488_ = _e879;
+                                                    phi_4371_ = _e808;
+                                                    break if !(_e885);
                                                 }
                                             }
-                                            let _e2102 = phi_4368_;
-                                            phi_4560_ = _e2102;
-                                            if _e2102 {
+                                            let _e1663 = phi_4371_;
+                                            phi_4563_ = _e1663;
+                                            if _e1663 {
                                                 break;
                                             }
-                                            let _e2104 = local_10;
-                                            phi_4564_ = _e2102;
-                                            let _e2316 = local_12;
-                                            phi_4102_ = _e2316;
-                                            phi_4103_ = false;
-                                            phi_4104_ = select(_e851, 0u, _e2104.member_1);
-                                            phi_4105_ = _e853;
+                                            phi_4649_ = _e1663;
+                                            let _e2299 = local_11;
+                                            phi_2865_ = _e2299;
+                                        } else {
+                                            phi_4649_ = _e808;
+                                            phi_2865_ = _e810;
+                                        }
+                                        let _e1665 = phi_4649_;
+                                        let _e1667 = phi_2865_;
+                                        if _e857 {
+                                            phi_4095_ = bool();
+                                            phi_4096_ = u32();
+                                            phi_4097_ = type_63();
                                         } else {
                                             if (_e853.member_1 >= _e101) {
-                                                phi_3637_ = type_64(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                                phi_3631_ = type_64(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
                                                 if (_e853.member_1 < _e101) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e865 = ((1u + _e433) % 4u);
-                                                if (_e865 < 4u) {
+                                                let _e1671 = ((1u + _e433) % 4u);
+                                                if (_e1671 < 4u) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e870 = global_5.member[_e853.member_1][_e865];
-                                                let _e872 = (_e870 >> bitcast<u32>(11u));
-                                                let _e874 = ((1u + _e432) % 4u);
-                                                if (_e874 < 4u) {
+                                                let _e1676 = global_5.member[_e853.member_1][_e1671];
+                                                let _e1678 = (_e1676 >> bitcast<u32>(11u));
+                                                let _e1680 = ((1u + _e432) % 4u);
+                                                if (_e1680 < 4u) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e879 = global_5.member[_e853.member_1][_e874];
-                                                let _e881 = (_e879 >> bitcast<u32>(11u));
-                                                let _e883 = ((1u + _e434) % 4u);
-                                                if (_e883 < 4u) {
+                                                let _e1685 = global_5.member[_e853.member_1][_e1680];
+                                                let _e1687 = (_e1685 >> bitcast<u32>(11u));
+                                                let _e1689 = ((1u + _e434) % 4u);
+                                                if (_e1689 < 4u) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e888 = global_5.member[_e853.member_1][_e883];
-                                                let _e890 = (_e888 >> bitcast<u32>(11u));
-                                                let _e913 = (bitcast<f32>((bitcast<u32>((_e853.member.member_1.x - _e853.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e914 = (bitcast<f32>((bitcast<u32>((_e853.member.member_1.y - _e853.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e915 = (bitcast<f32>((bitcast<u32>((_e853.member.member_1.z - _e853.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e917 = select(_e159, _e913, (_e913 > _e159));
-                                                let _e919 = select(_e159, _e914, (_e914 > _e159));
-                                                let _e921 = select(_e159, _e915, (_e915 > _e159));
-                                                let _e952 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e870 & 1023u))) - 8388608f) * _e917));
-                                                let _e957 = (bitcast<i32>((_e870 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e960 = bitcast<f32>((_e952 & bitcast<u32>(_e957)));
-                                                let _e961 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e879 & 1023u))) - 8388608f) * _e919));
-                                                let _e966 = (bitcast<i32>((_e879 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e969 = bitcast<f32>((_e961 & bitcast<u32>(_e966)));
-                                                let _e970 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e888 & 1023u))) - 8388608f) * _e921));
-                                                let _e975 = (bitcast<i32>((_e888 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e978 = bitcast<f32>((_e970 & bitcast<u32>(_e975)));
-                                                let _e982 = bitcast<f32>((_e952 & bitcast<u32>(~(_e957))));
-                                                let _e986 = bitcast<f32>((_e961 & bitcast<u32>(~(_e966))));
-                                                let _e990 = bitcast<f32>((_e970 & bitcast<u32>(~(_e975))));
-                                                let _e991 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e872 & 1023u))) - 8388608f) * _e917));
-                                                let _e996 = (bitcast<i32>((_e872 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e999 = bitcast<f32>((_e991 & bitcast<u32>(_e996)));
-                                                let _e1000 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e881 & 1023u))) - 8388608f) * _e919));
-                                                let _e1005 = (bitcast<i32>((_e881 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1008 = bitcast<f32>((_e1000 & bitcast<u32>(_e1005)));
-                                                let _e1009 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e890 & 1023u))) - 8388608f) * _e921));
-                                                let _e1014 = (bitcast<i32>((_e890 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1017 = bitcast<f32>((_e1009 & bitcast<u32>(_e1014)));
-                                                let _e1021 = bitcast<f32>((_e991 & bitcast<u32>(~(_e996))));
-                                                let _e1025 = bitcast<f32>((_e1000 & bitcast<u32>(~(_e1005))));
-                                                let _e1029 = bitcast<f32>((_e1009 & bitcast<u32>(~(_e1014))));
-                                                let _e1059 = global_5.member[_e853.member_1][0u];
-                                                let _e1063 = global_5.member[_e853.member_1][1u];
-                                                let _e1067 = global_5.member[_e853.member_1][2u];
-                                                let _e1071 = global_5.member[_e853.member_1][3u];
-                                                let _e1083 = (((_e1063 >> bitcast<u32>(22i)) | ((_e1067 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1071 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e1084 = (_e1059 & 268435455u);
-                                                let _e1085 = (_e1083 & 268435455u);
-                                                let _e1088 = ((_e1059 >> bitcast<u32>(28u)) & 7u);
-                                                let _e1096 = ((_e1059 >> bitcast<u32>(31i)) | (((_e1083 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e1097 = (_e1088 != 0u);
-                                                if (_e1088 == 0u) {
-                                                    phi_3599_ = _e1084;
+                                                let _e1694 = global_5.member[_e853.member_1][_e1689];
+                                                let _e1696 = (_e1694 >> bitcast<u32>(11u));
+                                                let _e1719 = (bitcast<f32>((bitcast<u32>((_e853.member.member_1.x - _e853.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e1720 = (bitcast<f32>((bitcast<u32>((_e853.member.member_1.y - _e853.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e1721 = (bitcast<f32>((bitcast<u32>((_e853.member.member_1.z - _e853.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e1723 = select(_e159, _e1719, (_e1719 > _e159));
+                                                let _e1725 = select(_e159, _e1720, (_e1720 > _e159));
+                                                let _e1727 = select(_e159, _e1721, (_e1721 > _e159));
+                                                let _e1758 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1676 & 1023u))) - 8388608f) * _e1723));
+                                                let _e1763 = (bitcast<i32>((_e1676 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1766 = bitcast<f32>((_e1758 & bitcast<u32>(_e1763)));
+                                                let _e1767 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1685 & 1023u))) - 8388608f) * _e1725));
+                                                let _e1772 = (bitcast<i32>((_e1685 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1775 = bitcast<f32>((_e1767 & bitcast<u32>(_e1772)));
+                                                let _e1776 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1694 & 1023u))) - 8388608f) * _e1727));
+                                                let _e1781 = (bitcast<i32>((_e1694 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1784 = bitcast<f32>((_e1776 & bitcast<u32>(_e1781)));
+                                                let _e1788 = bitcast<f32>((_e1758 & bitcast<u32>(~(_e1763))));
+                                                let _e1792 = bitcast<f32>((_e1767 & bitcast<u32>(~(_e1772))));
+                                                let _e1796 = bitcast<f32>((_e1776 & bitcast<u32>(~(_e1781))));
+                                                let _e1797 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1678 & 1023u))) - 8388608f) * _e1723));
+                                                let _e1802 = (bitcast<i32>((_e1678 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1805 = bitcast<f32>((_e1797 & bitcast<u32>(_e1802)));
+                                                let _e1806 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1687 & 1023u))) - 8388608f) * _e1725));
+                                                let _e1811 = (bitcast<i32>((_e1687 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1814 = bitcast<f32>((_e1806 & bitcast<u32>(_e1811)));
+                                                let _e1815 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1696 & 1023u))) - 8388608f) * _e1727));
+                                                let _e1820 = (bitcast<i32>((_e1696 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1823 = bitcast<f32>((_e1815 & bitcast<u32>(_e1820)));
+                                                let _e1827 = bitcast<f32>((_e1797 & bitcast<u32>(~(_e1802))));
+                                                let _e1831 = bitcast<f32>((_e1806 & bitcast<u32>(~(_e1811))));
+                                                let _e1835 = bitcast<f32>((_e1815 & bitcast<u32>(~(_e1820))));
+                                                let _e1865 = global_5.member[_e853.member_1][0u];
+                                                let _e1869 = global_5.member[_e853.member_1][1u];
+                                                let _e1873 = global_5.member[_e853.member_1][2u];
+                                                let _e1877 = global_5.member[_e853.member_1][3u];
+                                                let _e1889 = (((_e1869 >> bitcast<u32>(22i)) | ((_e1873 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1877 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1890 = (_e1865 & 268435455u);
+                                                let _e1891 = (_e1889 & 268435455u);
+                                                let _e1894 = ((_e1865 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1902 = ((_e1865 >> bitcast<u32>(31i)) | (((_e1889 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1903 = (_e1894 != 0u);
+                                                if (_e1894 == 0u) {
+                                                    phi_3593_ = _e1890;
                                                 } else {
-                                                    if (_e1088 == 7u) {
-                                                        phi_3598_ = 2147483648u;
+                                                    if (_e1894 == 7u) {
+                                                        phi_3592_ = 2147483648u;
                                                     } else {
-                                                        phi_3598_ = ((2147483648u | (_e1088 << bitcast<u32>(28u))) | (_e1085 & 268435455u));
+                                                        phi_3592_ = ((2147483648u | (_e1894 << bitcast<u32>(28u))) | (_e1891 & 268435455u));
                                                     }
-                                                    let _e1106 = phi_3598_;
-                                                    phi_3599_ = _e1106;
+                                                    let _e1912 = phi_3592_;
+                                                    phi_3593_ = _e1912;
                                                 }
-                                                let _e1108 = phi_3599_;
-                                                if _e1097 {
-                                                    let _e1109 = (_e1088 != 7u);
-                                                    if _e1109 {
-                                                        phi_3609_ = (_e1085 + _e1088);
+                                                let _e1914 = phi_3593_;
+                                                if _e1903 {
+                                                    let _e1915 = (_e1894 != 7u);
+                                                    if _e1915 {
+                                                        phi_3603_ = (_e1891 + _e1894);
                                                     } else {
-                                                        phi_3609_ = u32();
+                                                        phi_3603_ = u32();
                                                     }
-                                                    let _e1112 = phi_3609_;
-                                                    phi_3611_ = _e1112;
-                                                    phi_3612_ = select(true, false, _e1109);
+                                                    let _e1918 = phi_3603_;
+                                                    phi_3605_ = _e1918;
+                                                    phi_3606_ = select(true, false, _e1915);
                                                 } else {
-                                                    phi_3611_ = u32();
-                                                    phi_3612_ = true;
+                                                    phi_3605_ = u32();
+                                                    phi_3606_ = true;
                                                 }
-                                                let _e1115 = phi_3611_;
-                                                let _e1117 = phi_3612_;
-                                                if (_e1096 == 0u) {
-                                                    phi_3633_ = (_e1084 + select(0u, 1u, !(_e1097)));
+                                                let _e1921 = phi_3605_;
+                                                let _e1923 = phi_3606_;
+                                                if (_e1902 == 0u) {
+                                                    phi_3627_ = (_e1890 + select(0u, 1u, !(_e1903)));
                                                 } else {
-                                                    if (_e1096 == 7u) {
-                                                        phi_3632_ = 2147483648u;
+                                                    if (_e1902 == 7u) {
+                                                        phi_3626_ = 2147483648u;
                                                     } else {
-                                                        phi_3632_ = ((2147483648u | (_e1096 << bitcast<u32>(28u))) | (select(_e1115, _e1085, _e1117) & 268435455u));
+                                                        phi_3626_ = ((2147483648u | (_e1902 << bitcast<u32>(28u))) | (select(_e1921, _e1891, _e1923) & 268435455u));
                                                     }
-                                                    let _e1130 = phi_3632_;
-                                                    phi_3633_ = _e1130;
+                                                    let _e1936 = phi_3626_;
+                                                    phi_3627_ = _e1936;
                                                 }
-                                                let _e1132 = phi_3633_;
-                                                phi_3637_ = type_64(array<vec4<f32>, 3>(vec4<f32>((_e853.member.member.x + _e960), (_e853.member.member.x + _e982), (_e853.member.member_1.x - _e999), (_e853.member.member_1.x - _e1021)), vec4<f32>((_e853.member.member.y + _e969), (_e853.member.member.y + _e986), (_e853.member.member_1.y - _e1008), (_e853.member.member_1.y - _e1025)), vec4<f32>((_e853.member.member.z + _e978), (_e853.member.member.z + _e990), (_e853.member.member_1.z - _e1017), (_e853.member.member_1.z - _e1029))), type_63(type_39((_e853.member.member + vec4<f32>(_e960, _e969, _e978, 0f)), (_e853.member.member_1 - vec4<f32>(_e999, _e1008, _e1017, 0f))), _e1108), type_63(type_39((_e853.member.member + vec4<f32>(_e982, _e986, _e990, 0f)), (_e853.member.member_1 - vec4<f32>(_e1021, _e1025, _e1029, 0f))), _e1132));
+                                                let _e1938 = phi_3627_;
+                                                phi_3631_ = type_64(array<vec4<f32>, 3>(vec4<f32>((_e853.member.member.x + _e1766), (_e853.member.member.x + _e1788), (_e853.member.member_1.x - _e1805), (_e853.member.member_1.x - _e1827)), vec4<f32>((_e853.member.member.y + _e1775), (_e853.member.member.y + _e1792), (_e853.member.member_1.y - _e1814), (_e853.member.member_1.y - _e1831)), vec4<f32>((_e853.member.member.z + _e1784), (_e853.member.member.z + _e1796), (_e853.member.member_1.z - _e1823), (_e853.member.member_1.z - _e1835))), type_63(type_39((_e853.member.member + vec4<f32>(_e1766, _e1775, _e1784, 0f)), (_e853.member.member_1 - vec4<f32>(_e1805, _e1814, _e1823, 0f))), _e1914), type_63(type_39((_e853.member.member + vec4<f32>(_e1788, _e1792, _e1796, 0f)), (_e853.member.member_1 - vec4<f32>(_e1827, _e1831, _e1835, 0f))), _e1938));
                                             }
-                                            let _e1137 = phi_3637_;
-                                            let _e1149 = ((_e1137.member[0].x - _e518) * _e523);
-                                            let _e1150 = ((_e1137.member[0].y - _e518) * _e523);
-                                            let _e1151 = ((_e1137.member[0].z - _e519) * _e523);
-                                            let _e1152 = ((_e1137.member[0].w - _e519) * _e523);
-                                            let _e1162 = ((_e1137.member[1].x - _e584) * _e589);
-                                            let _e1163 = ((_e1137.member[1].y - _e584) * _e589);
-                                            let _e1164 = ((_e1137.member[1].z - _e585) * _e589);
-                                            let _e1165 = ((_e1137.member[1].w - _e585) * _e589);
-                                            let _e1175 = ((_e1137.member[2].x - _e650) * _e655);
-                                            let _e1176 = ((_e1137.member[2].y - _e650) * _e655);
-                                            let _e1177 = ((_e1137.member[2].z - _e651) * _e655);
-                                            let _e1178 = ((_e1137.member[2].w - _e651) * _e655);
-                                            let _e1180 = select(_e1177, _e1175, (_e1175 < _e1177));
-                                            let _e1182 = select(_e1178, _e1176, (_e1176 < _e1178));
-                                            let _e1184 = select(_e1177, _e1175, (_e1175 > _e1177));
-                                            let _e1186 = select(_e1178, _e1176, (_e1176 > _e1178));
-                                            let _e1188 = select(_e1151, _e1149, (_e1149 < _e1151));
-                                            let _e1190 = select(_e1152, _e1150, (_e1150 < _e1152));
-                                            let _e1192 = select(_e1164, _e1162, (_e1162 < _e1164));
-                                            let _e1194 = select(_e1165, _e1163, (_e1163 < _e1165));
-                                            let _e1196 = select(_e1192, _e1188, (_e1188 > _e1192));
-                                            let _e1198 = select(_e1194, _e1190, (_e1190 > _e1194));
-                                            let _e1200 = select(_e1180, _e1196, (_e1196 > _e1180));
-                                            let _e1202 = select(_e1182, _e1198, (_e1198 > _e1182));
-                                            let _e1204 = select(_e1151, _e1149, (_e1149 > _e1151));
-                                            let _e1206 = select(_e1152, _e1150, (_e1150 > _e1152));
-                                            let _e1208 = select(_e1164, _e1162, (_e1162 > _e1164));
-                                            let _e1210 = select(_e1165, _e1163, (_e1163 > _e1165));
-                                            let _e1212 = select(_e1208, _e1204, (_e1204 < _e1208));
-                                            let _e1214 = select(_e1210, _e1206, (_e1206 < _e1210));
-                                            let _e1219 = -(_e1180);
-                                            let _e1220 = -(_e1182);
-                                            let _e1227 = (select(_e1184, _e1212, (_e1212 < _e1184)) + (select(_e1219, _e1184, (_e1184 > _e1219)) * 0.0000019073523f));
-                                            let _e1228 = (select(_e1186, _e1214, (_e1214 < _e1186)) + (select(_e1220, _e1186, (_e1186 > _e1220)) * 0.0000019073523f));
-                                            let _e1230 = select(_e766, _e1200, (_e1200 > _e766));
-                                            let _e1232 = select(_e766, _e1202, (_e1202 > _e766));
-                                            let _e1237 = (_e1230 <= select(_e810.member, _e1227, (_e1227 < _e810.member)));
-                                            let _e1238 = (_e1232 <= select(_e810.member, _e1228, (_e1228 < _e810.member)));
-                                            let _e1239 = (_e1230 <= _e1232);
-                                            if _e1237 {
-                                                if _e1238 {
-                                                    if _e1239 {
-                                                        phi_3999_ = _e1137.member_2;
+                                            let _e1943 = phi_3631_;
+                                            let _e1955 = ((_e1943.member[0].x - _e518) * _e523);
+                                            let _e1956 = ((_e1943.member[0].y - _e518) * _e523);
+                                            let _e1957 = ((_e1943.member[0].z - _e519) * _e523);
+                                            let _e1958 = ((_e1943.member[0].w - _e519) * _e523);
+                                            let _e1968 = ((_e1943.member[1].x - _e584) * _e589);
+                                            let _e1969 = ((_e1943.member[1].y - _e584) * _e589);
+                                            let _e1970 = ((_e1943.member[1].z - _e585) * _e589);
+                                            let _e1971 = ((_e1943.member[1].w - _e585) * _e589);
+                                            let _e1981 = ((_e1943.member[2].x - _e650) * _e655);
+                                            let _e1982 = ((_e1943.member[2].y - _e650) * _e655);
+                                            let _e1983 = ((_e1943.member[2].z - _e651) * _e655);
+                                            let _e1984 = ((_e1943.member[2].w - _e651) * _e655);
+                                            let _e1986 = select(_e1983, _e1981, (_e1981 < _e1983));
+                                            let _e1988 = select(_e1984, _e1982, (_e1982 < _e1984));
+                                            let _e1990 = select(_e1983, _e1981, (_e1981 > _e1983));
+                                            let _e1992 = select(_e1984, _e1982, (_e1982 > _e1984));
+                                            let _e1994 = select(_e1957, _e1955, (_e1955 < _e1957));
+                                            let _e1996 = select(_e1958, _e1956, (_e1956 < _e1958));
+                                            let _e1998 = select(_e1970, _e1968, (_e1968 < _e1970));
+                                            let _e2000 = select(_e1971, _e1969, (_e1969 < _e1971));
+                                            let _e2002 = select(_e1998, _e1994, (_e1994 > _e1998));
+                                            let _e2004 = select(_e2000, _e1996, (_e1996 > _e2000));
+                                            let _e2006 = select(_e1986, _e2002, (_e2002 > _e1986));
+                                            let _e2008 = select(_e1988, _e2004, (_e2004 > _e1988));
+                                            let _e2010 = select(_e1957, _e1955, (_e1955 > _e1957));
+                                            let _e2012 = select(_e1958, _e1956, (_e1956 > _e1958));
+                                            let _e2014 = select(_e1970, _e1968, (_e1968 > _e1970));
+                                            let _e2016 = select(_e1971, _e1969, (_e1969 > _e1971));
+                                            let _e2018 = select(_e2014, _e2010, (_e2010 < _e2014));
+                                            let _e2020 = select(_e2016, _e2012, (_e2012 < _e2016));
+                                            let _e2025 = -(_e1986);
+                                            let _e2026 = -(_e1988);
+                                            let _e2033 = (select(_e1990, _e2018, (_e2018 < _e1990)) + (select(_e2025, _e1990, (_e1990 > _e2025)) * 0.0000019073523f));
+                                            let _e2034 = (select(_e1992, _e2020, (_e2020 < _e1992)) + (select(_e2026, _e1992, (_e1992 > _e2026)) * 0.0000019073523f));
+                                            let _e2036 = select(_e766, _e2006, (_e2006 > _e766));
+                                            let _e2038 = select(_e766, _e2008, (_e2008 > _e766));
+                                            let _e2043 = (_e2036 <= select(_e1667.member, _e2033, (_e2033 < _e1667.member)));
+                                            let _e2044 = (_e2038 <= select(_e1667.member, _e2034, (_e2034 < _e1667.member)));
+                                            let _e2045 = (_e2036 <= _e2038);
+                                            if _e2043 {
+                                                if _e2044 {
+                                                    if _e2045 {
+                                                        phi_3993_ = _e1943.member_2;
                                                     } else {
-                                                        phi_3999_ = _e1137.member_1;
+                                                        phi_3993_ = _e1943.member_1;
                                                     }
-                                                    let _e1243 = phi_3999_;
-                                                    let _e1265 = (_e851 % 128u);
-                                                    let _e1266 = (_e1265 < 128u);
-                                                    if _e1266 {
+                                                    let _e2049 = phi_3993_;
+                                                    let _e2070 = (_e851 % 128u);
+                                                    let _e2071 = (_e2070 < 128u);
+                                                    if _e2071 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1265] = _e1243.member_1;
-                                                    if _e1266 {
+                                                    local_8[_e2070] = _e2049.member_1;
+                                                    if _e2071 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1265] = _e1243.member.member.x;
-                                                    if _e1266 {
+                                                    local_7[_e2070] = _e2049.member.member.x;
+                                                    if _e2071 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1265] = _e1243.member.member.y;
-                                                    if _e1266 {
+                                                    local_6[_e2070] = _e2049.member.member.y;
+                                                    if _e2071 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1265] = _e1243.member.member.z;
-                                                    if _e1266 {
+                                                    local_5[_e2070] = _e2049.member.member.z;
+                                                    if _e2071 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1265] = _e1243.member.member_1.x;
-                                                    if _e1266 {
+                                                    local_4[_e2070] = _e2049.member.member_1.x;
+                                                    if _e2071 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1265] = _e1243.member.member_1.y;
-                                                    if _e1266 {
+                                                    local_3[_e2070] = _e2049.member.member_1.y;
+                                                    if _e2071 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1265] = _e1243.member.member_1.z;
-                                                    if _e1266 {
+                                                    local_2[_e2070] = _e2049.member.member_1.z;
+                                                    if _e2071 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1265] = select(_e1232, _e1230, !(_e1239));
-                                                    if _e1239 {
-                                                        phi_4076_ = _e1137.member_1;
+                                                    local_9[_e2070] = select(_e2036, _e2038, _e2045);
+                                                    if _e2045 {
+                                                        phi_4069_ = _e1943.member_1;
                                                     } else {
-                                                        phi_4076_ = _e1137.member_2;
+                                                        phi_4069_ = _e1943.member_2;
                                                     }
-                                                    let _e1279 = phi_4076_;
-                                                    phi_4077_ = (_e851 + 1u);
-                                                    phi_4078_ = _e1279;
+                                                    let _e2084 = phi_4069_;
+                                                    phi_4070_ = (_e851 + 1u);
+                                                    phi_4071_ = _e2084;
                                                 } else {
-                                                    phi_4077_ = u32();
-                                                    phi_4078_ = type_63();
+                                                    phi_4070_ = u32();
+                                                    phi_4071_ = type_63();
                                                 }
-                                                let _e1281 = phi_4077_;
-                                                let _e1283 = phi_4078_;
-                                                phi_4080_ = _e1281;
-                                                phi_4081_ = _e1283;
-                                                phi_4082_ = select(true, false, _e1238);
+                                                let _e2086 = phi_4070_;
+                                                let _e2088 = phi_4071_;
+                                                phi_4073_ = _e2086;
+                                                phi_4074_ = _e2088;
+                                                phi_4075_ = select(true, false, _e2044);
                                             } else {
-                                                phi_4080_ = u32();
-                                                phi_4081_ = type_63();
-                                                phi_4082_ = true;
+                                                phi_4073_ = u32();
+                                                phi_4074_ = type_63();
+                                                phi_4075_ = true;
                                             }
-                                            let _e1286 = phi_4080_;
-                                            let _e1288 = phi_4081_;
-                                            let _e1290 = phi_4082_;
-                                            if _e1290 {
-                                                if _e1237 {
-                                                    phi_4091_ = _e1137.member_1;
+                                            let _e2091 = phi_4073_;
+                                            let _e2093 = phi_4074_;
+                                            let _e2095 = phi_4075_;
+                                            if _e2095 {
+                                                if _e2043 {
+                                                    phi_4084_ = _e1943.member_1;
                                                 } else {
-                                                    phi_4091_ = _e1137.member_2;
+                                                    phi_4084_ = _e1943.member_2;
                                                 }
-                                                let _e1294 = phi_4091_;
-                                                phi_4096_ = select(_e1238, true, _e1237);
-                                                phi_4098_ = _e1294;
+                                                let _e2099 = phi_4084_;
+                                                phi_4089_ = select(_e2044, true, _e2043);
+                                                phi_4091_ = _e2099;
                                             } else {
-                                                phi_4096_ = _e849;
-                                                phi_4098_ = _e1288;
+                                                phi_4089_ = _e849;
+                                                phi_4091_ = _e2093;
                                             }
-                                            let _e1297 = phi_4096_;
-                                            let _e1299 = phi_4098_;
-                                            phi_4564_ = _e808;
-                                            phi_4102_ = _e810;
-                                            phi_4103_ = _e1297;
-                                            phi_4104_ = select(_e1286, _e851, _e1290);
-                                            phi_4105_ = _e1299;
+                                            let _e2102 = phi_4089_;
+                                            let _e2104 = phi_4091_;
+                                            phi_4095_ = _e2102;
+                                            phi_4096_ = select(_e2091, _e851, _e2095);
+                                            phi_4097_ = _e2104;
                                         }
-                                        let _e2108 = phi_4564_;
-                                        let _e2110 = phi_4102_;
-                                        let _e2112 = phi_4103_;
-                                        let _e2114 = phi_4104_;
-                                        let _e2116 = phi_4105_;
-                                        phi_4563_ = _e2108;
-                                        phi_4106_ = _e2110;
-                                        phi_4107_ = _e2112;
-                                        phi_4108_ = (_e814 - 1u);
-                                        phi_4109_ = _e2114;
-                                        phi_4110_ = _e2116;
+                                        let _e2107 = phi_4095_;
+                                        let _e2109 = phi_4096_;
+                                        let _e2111 = phi_4097_;
+                                        if _e857 {
+                                            phi_4107_ = select(_e851, 0u, _e1667.member_1);
+                                            phi_4108_ = _e853;
+                                        } else {
+                                            phi_4107_ = _e2109;
+                                            phi_4108_ = _e2111;
+                                        }
+                                        let _e2115 = phi_4107_;
+                                        let _e2117 = phi_4108_;
+                                        phi_4566_ = _e1665;
+                                        phi_4109_ = _e1667;
+                                        phi_4110_ = (_e812 - 1u);
+                                        phi_4111_ = select(_e2107, false, _e857);
+                                        phi_4112_ = _e2115;
+                                        phi_4113_ = _e2117;
                                     } else {
-                                        phi_4563_ = _e808;
-                                        phi_4106_ = _e810;
-                                        phi_4107_ = _e849;
-                                        phi_4108_ = _e814;
-                                        phi_4109_ = _e851;
-                                        phi_4110_ = _e853;
+                                        phi_4566_ = _e808;
+                                        phi_4109_ = _e810;
+                                        phi_4110_ = _e812;
+                                        phi_4111_ = _e849;
+                                        phi_4112_ = _e851;
+                                        phi_4113_ = _e853;
                                     }
-                                    let _e2118 = phi_4563_;
-                                    let _e2120 = phi_4106_;
-                                    let _e2122 = phi_4107_;
-                                    let _e2124 = phi_4108_;
-                                    let _e2126 = phi_4109_;
-                                    let _e2128 = phi_4110_;
-                                    phi_4562_ = _e2118;
-                                    phi_4111_ = _e2120;
-                                    phi_4112_ = _e2122;
-                                    phi_4113_ = _e2124;
-                                    phi_4114_ = _e2126;
-                                    phi_4115_ = _e2128;
+                                    let _e2120 = phi_4566_;
+                                    let _e2122 = phi_4109_;
+                                    let _e2124 = phi_4110_;
+                                    let _e2126 = phi_4111_;
+                                    let _e2128 = phi_4112_;
+                                    let _e2130 = phi_4113_;
+                                    phi_4565_ = _e2120;
+                                    phi_4114_ = _e2122;
+                                    phi_4115_ = _e2124;
+                                    phi_4116_ = _e2126;
+                                    phi_4117_ = _e2128;
+                                    phi_4118_ = _e2130;
                                 } else {
-                                    phi_4562_ = _e808;
-                                    phi_4111_ = type_51();
-                                    phi_4112_ = bool();
-                                    phi_4113_ = u32();
-                                    phi_4114_ = u32();
-                                    phi_4115_ = type_63();
+                                    phi_4565_ = _e808;
+                                    phi_4114_ = type_51();
+                                    phi_4115_ = u32();
+                                    phi_4116_ = bool();
+                                    phi_4117_ = u32();
+                                    phi_4118_ = type_63();
                                 }
-                                let _e2130 = phi_4562_;
-                                let _e2132 = phi_4111_;
-                                let _e2134 = phi_4112_;
-                                let _e2136 = phi_4113_;
-                                let _e2138 = phi_4114_;
-                                let _e2140 = phi_4115_;
-                                phi_4561_ = _e2130;
-                                phi_1360_ = _e2132;
-                                phi_1363_ = _e2134;
-                                phi_1365_ = _e2136;
-                                phi_1367_ = _e2138;
-                                phi_1369_ = _e2140;
-                                phi_4116_ = _e822;
+                                let _e2132 = phi_4565_;
+                                let _e2134 = phi_4114_;
+                                let _e2136 = phi_4115_;
+                                let _e2138 = phi_4116_;
+                                let _e2140 = phi_4117_;
+                                let _e2142 = phi_4118_;
+                                phi_4564_ = _e2132;
+                                phi_1360_ = _e2134;
+                                phi_1363_ = _e2136;
+                                phi_1365_ = _e2138;
+                                phi_1367_ = _e2140;
+                                phi_1369_ = _e2142;
+                                phi_4119_ = _e822;
                             } else {
-                                phi_4561_ = _e808;
+                                phi_4564_ = _e808;
                                 phi_1360_ = type_51();
-                                phi_1363_ = bool();
-                                phi_1365_ = u32();
+                                phi_1363_ = u32();
+                                phi_1365_ = bool();
                                 phi_1367_ = u32();
                                 phi_1369_ = type_63();
-                                phi_4116_ = false;
+                                phi_4119_ = false;
                             }
-                            let _e2142 = phi_4561_;
-                            let _e2144 = phi_1360_;
-                            let _e2146 = phi_1363_;
-                            let _e2148 = phi_1365_;
-                            let _e2150 = phi_1367_;
-                            let _e2152 = phi_1369_;
-                            let _e2154 = phi_4116_;
+                            let _e2144 = phi_4564_;
+                            let _e2146 = phi_1360_;
+                            let _e2148 = phi_1363_;
+                            let _e2150 = phi_1365_;
+                            let _e2152 = phi_1367_;
+                            let _e2154 = phi_1369_;
+                            let _e2156 = phi_4119_;
                             continue;
                             continuing {
-                                phi_4374_ = _e2142;
-                                phi_1359_ = _e2144;
-                                phi_1362_ = _e2146;
-                                phi_1364_ = _e2148;
-                                phi_1366_ = _e2150;
-                                phi_1368_ = _e2152;
-                                phi_4560_ = _e2142;
-                                break if !(_e2154);
+                                phi_4377_ = _e2144;
+                                phi_1359_ = _e2146;
+                                phi_1362_ = _e2148;
+                                phi_1364_ = _e2150;
+                                phi_1366_ = _e2152;
+                                phi_1368_ = _e2154;
+                                phi_4563_ = _e2144;
+                                break if !(_e2156);
                             }
                         }
-                        let _e2157 = phi_4560_;
-                        if _e2157 {
+                        let _e2159 = phi_4563_;
+                        if _e2159 {
                             break;
                         }
-                        let _e2159 = local_11;
-                        if _e2159.member_1 {
+                        let _e2161 = local_10;
+                        if _e2161.member_1 {
                         } else {
                             if _e301 {
                             } else {
                                 break;
                             }
-                            let _e2163 = global_2.member[_e147];
+                            let _e2165 = global_2.member[_e147];
                             if _e162 {
                             } else {
                                 break;
                             }
-                            let _e2167 = global_10.member[_e147].member_1;
+                            let _e2169 = global_10.member[_e147].member_1;
                             if _e301 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e147] = type_32(_e2163.member, _e2163.member_1, _e2163.member_2, array<f32, 3>((_e2163.member_3[0] + (_e2167[0] * _e2163.member_1[0])), (_e2163.member_3[1] + (_e2167[1] * _e2163.member_1[1])), (_e2163.member_3[2] + (_e2167[2] * _e2163.member_1[2]))), _e2163.member_4);
+                            global_2.member[_e147] = type_32(_e2165.member, _e2165.member_1, _e2165.member_2, array<f32, 3>((_e2165.member_3[0] + (_e2169[0] * _e2165.member_1[0])), (_e2165.member_3[1] + (_e2169[1] * _e2165.member_1[1])), (_e2165.member_3[2] + (_e2169[2] * _e2165.member_1[2]))), _e2165.member_4);
                         }
                     }
                 }

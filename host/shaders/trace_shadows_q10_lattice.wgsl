@@ -161,36 +161,16 @@ fn function_() {
     var phi_1261_: u32;
     var phi_1269_: f32;
     var phi_1270_: f32;
-    var phi_5042_: bool;
+    var phi_5045_: bool;
     var phi_1366_: type_46;
-    var phi_1369_: bool;
-    var phi_1371_: u32;
+    var phi_1369_: u32;
+    var phi_1371_: bool;
     var phi_1373_: u32;
     var phi_1375_: type_58;
     var phi_1386_: bool;
     var phi_1472_: bool;
     var phi_1473_: u32;
     var phi_1474_: type_58;
-    var phi_4006_: u32;
-    var phi_4012_: u32;
-    var phi_4266_: u32;
-    var phi_4267_: u32;
-    var phi_4277_: u32;
-    var phi_4279_: u32;
-    var phi_4280_: bool;
-    var phi_4300_: u32;
-    var phi_4301_: u32;
-    var phi_4305_: type_59;
-    var phi_4667_: type_58;
-    var phi_4744_: type_58;
-    var phi_4745_: u32;
-    var phi_4746_: type_58;
-    var phi_4748_: u32;
-    var phi_4749_: type_58;
-    var phi_4750_: bool;
-    var phi_4759_: type_58;
-    var phi_4764_: bool;
-    var phi_4766_: type_58;
     var phi_1493_: type_46;
     var phi_1496_: type_8;
     var phi_1497_: type_8;
@@ -279,35 +259,56 @@ fn function_() {
     var phi_3496_: type_46;
     var phi_3497_: type_46;
     var phi_1494_: type_46;
-    var phi_5036_: bool;
-    var local_10: type_46;
+    var phi_5039_: bool;
+    var phi_5369_: bool;
+    var phi_3498_: type_46;
+    var phi_4000_: u32;
+    var phi_4006_: u32;
+    var phi_4260_: u32;
+    var phi_4261_: u32;
+    var phi_4271_: u32;
+    var phi_4273_: u32;
+    var phi_4274_: bool;
+    var phi_4294_: u32;
+    var phi_4295_: u32;
+    var phi_4299_: type_59;
+    var phi_4661_: type_58;
+    var phi_4737_: type_58;
+    var phi_4738_: u32;
+    var phi_4739_: type_58;
+    var phi_4741_: u32;
+    var phi_4742_: type_58;
+    var phi_4743_: bool;
+    var phi_4752_: type_58;
+    var phi_4757_: bool;
+    var phi_4759_: type_58;
+    var phi_4763_: bool;
+    var phi_4764_: u32;
+    var phi_4765_: type_58;
+    var phi_4775_: u32;
+    var phi_4776_: type_58;
+    var phi_5281_: bool;
+    var phi_4777_: type_46;
+    var phi_4778_: u32;
+    var phi_4779_: bool;
+    var phi_4780_: u32;
+    var phi_4781_: type_58;
+    var phi_5280_: bool;
+    var phi_4782_: type_46;
+    var phi_4783_: u32;
+    var phi_4784_: bool;
+    var phi_4785_: u32;
+    var phi_4786_: type_58;
     var phi_5279_: bool;
-    var phi_4770_: type_46;
-    var phi_4771_: bool;
-    var phi_4772_: u32;
-    var phi_4773_: type_58;
-    var phi_5278_: bool;
-    var phi_4774_: type_46;
-    var phi_4775_: bool;
-    var phi_4776_: u32;
-    var phi_4777_: u32;
-    var phi_4778_: type_58;
-    var phi_5277_: bool;
-    var phi_4779_: type_46;
-    var phi_4780_: bool;
-    var phi_4781_: u32;
-    var phi_4782_: u32;
-    var phi_4783_: type_58;
-    var phi_5276_: bool;
     var phi_1367_: type_46;
-    var phi_1370_: bool;
-    var phi_1372_: u32;
+    var phi_1370_: u32;
+    var phi_1372_: bool;
     var phi_1374_: u32;
     var phi_1376_: type_58;
-    var phi_4784_: bool;
-    var phi_5275_: bool;
+    var phi_4787_: bool;
+    var phi_5278_: bool;
+    var local_10: type_46;
     var local_11: type_46;
-    var local_12: type_46;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -729,31 +730,31 @@ fn function_() {
                             break;
                         }
                         let _e804 = local[_e788];
-                        phi_5042_ = false;
+                        phi_5045_ = false;
                         phi_1366_ = type_46(_e770, false);
-                        phi_1369_ = (_e772 <= _e770);
-                        phi_1371_ = ((3u * _e106) + 1u);
+                        phi_1369_ = ((3u * _e106) + 1u);
+                        phi_1371_ = (_e772 <= _e770);
                         phi_1373_ = 0u;
                         phi_1375_ = type_58(type_34(vec4<f32>((f32(_e779) * _e165), (f32(_e785) * _e165), (f32(_e791) * _e165), 0f), vec4<f32>((f32(_e796) * _e165), (f32(_e800) * _e165), (f32(_e804) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
                         loop {
-                            let _e814 = phi_5042_;
+                            let _e814 = phi_5045_;
                             let _e816 = phi_1366_;
                             let _e818 = phi_1369_;
                             let _e820 = phi_1371_;
                             let _e822 = phi_1373_;
                             let _e824 = phi_1375_;
-                            local_11 = _e816;
-                            if _e818 {
+                            local_10 = _e816;
+                            if _e820 {
                                 phi_1386_ = true;
                             } else {
                                 phi_1386_ = (_e822 > 0u);
                             }
                             let _e827 = phi_1386_;
                             if _e827 {
-                                let _e828 = (_e820 > 0u);
+                                let _e828 = (_e818 > 0u);
                                 if _e828 {
-                                    if _e818 {
-                                        phi_1472_ = _e818;
+                                    if _e820 {
+                                        phi_1472_ = _e820;
                                         phi_1473_ = _e822;
                                         phi_1474_ = _e824;
                                     } else {
@@ -762,49 +763,49 @@ fn function_() {
                                         let _e831 = (_e830 < 128u);
                                         if _e831 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e833 = local_7[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e835 = local_6[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e837 = local_5[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e839 = local_4[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e841 = local_3[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e843 = local_2[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e848 = local_8[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e851 = local_9[_e830];
@@ -816,39 +817,39 @@ fn function_() {
                                     let _e857 = phi_1473_;
                                     let _e859 = phi_1474_;
                                     if _e855 {
+                                        let _e863 = ((_e859.member_1 & 2147483648u) != 0u);
                                         let _e864 = (_e859.member_1 & 268435455u);
-                                        if ((_e859.member_1 & 2147483648u) != 0u) {
+                                        if _e863 {
                                             phi_1493_ = _e816;
                                             phi_1496_ = type_8(0u, ((_e859.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1330 = phi_1493_;
-                                                let _e1332 = phi_1496_;
-                                                local_10 = _e1330;
-                                                local_12 = _e1330;
-                                                if (_e1332.member < _e1332.member_1) {
-                                                    phi_1497_ = type_8((_e1332.member + 1u), _e1332.member_1);
-                                                    phi_1519_ = type_8(1u, _e1332.member);
+                                                let _e871 = phi_1493_;
+                                                let _e873 = phi_1496_;
+                                                local_11 = _e871;
+                                                if (_e873.member < _e873.member_1) {
+                                                    phi_1497_ = type_8((_e873.member + 1u), _e873.member_1);
+                                                    phi_1519_ = type_8(1u, _e873.member);
                                                 } else {
-                                                    phi_1497_ = _e1332;
+                                                    phi_1497_ = _e873;
                                                     phi_1519_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1345 = phi_1497_;
-                                                let _e1347 = phi_1519_;
-                                                let _e1351 = (bitcast<i32>(_e1347.member) != 0i);
-                                                if _e1351 {
-                                                    let _e1356 = (_e859.member.member_1.x - _e859.member.member.x);
-                                                    let _e1359 = (_e859.member.member_1.y - _e859.member.member.y);
-                                                    let _e1362 = (_e859.member.member_1.z - _e859.member.member.z);
-                                                    let _e1364 = select(_e1359, _e1356, (_e1356 > _e1359));
-                                                    let _e1366 = select(_e1362, _e1364, (_e1364 > _e1362));
-                                                    let _e1368 = (_e1366 < (1024f * _e165));
-                                                    if _e1368 {
+                                                let _e886 = phi_1497_;
+                                                let _e888 = phi_1519_;
+                                                let _e892 = (bitcast<i32>(_e888.member) != 0i);
+                                                if _e892 {
+                                                    let _e897 = (_e859.member.member_1.x - _e859.member.member.x);
+                                                    let _e900 = (_e859.member.member_1.y - _e859.member.member.y);
+                                                    let _e903 = (_e859.member.member_1.z - _e859.member.member.z);
+                                                    let _e905 = select(_e900, _e897, (_e897 > _e900));
+                                                    let _e907 = select(_e903, _e905, (_e905 > _e903));
+                                                    let _e909 = (_e907 < (1024f * _e165));
+                                                    if _e909 {
                                                         phi_1560_ = 0u;
                                                     } else {
-                                                        phi_1560_ = select(2u, 1u, (_e1366 < (2097152f * _e165)));
+                                                        phi_1560_ = select(2u, 1u, (_e907 < (2097152f * _e165)));
                                                     }
-                                                    let _e1373 = phi_1560_;
-                                                    switch bitcast<i32>(_e1373) {
+                                                    let _e914 = phi_1560_;
+                                                    switch bitcast<i32>(_e914) {
                                                         case 0: {
                                                             phi_1566_ = 1u;
                                                             break;
@@ -866,8 +867,8 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1376 = phi_1566_;
-                                                    switch bitcast<i32>(_e1373) {
+                                                    let _e917 = phi_1566_;
+                                                    switch bitcast<i32>(_e914) {
                                                         case 0: {
                                                             phi_1576_ = 1u;
                                                             break;
@@ -885,28 +886,28 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1383 = phi_1576_;
-                                                    let _e1385 = ((_e864 + (_e1347.member_1 * ((3u * _e1376) + 1u))) + (3u * _e1383));
-                                                    let _e1386 = (_e1385 < _e109);
-                                                    if _e1386 {
-                                                        if _e1386 {
+                                                    let _e924 = phi_1576_;
+                                                    let _e926 = ((_e864 + (_e888.member_1 * ((3u * _e917) + 1u))) + (3u * _e924));
+                                                    let _e927 = (_e926 < _e109);
+                                                    if _e927 {
+                                                        if _e927 {
                                                         } else {
-                                                            phi_5036_ = true;
+                                                            phi_5039_ = true;
                                                             break;
                                                         }
-                                                        let _e1388 = global_10.member[_e1385];
-                                                        phi_1592_ = _e1388;
+                                                        let _e929 = global_10.member[_e926];
+                                                        phi_1592_ = _e929;
                                                     } else {
                                                         phi_1592_ = 4294967295u;
                                                     }
-                                                    let _e1390 = phi_1592_;
-                                                    if _e1368 {
+                                                    let _e931 = phi_1592_;
+                                                    if _e909 {
                                                         phi_1625_ = 0u;
                                                     } else {
-                                                        phi_1625_ = select(2u, 1u, (_e1366 < (2097152f * _e165)));
+                                                        phi_1625_ = select(2u, 1u, (_e907 < (2097152f * _e165)));
                                                     }
-                                                    let _e1395 = phi_1625_;
-                                                    switch bitcast<i32>(_e1395) {
+                                                    let _e936 = phi_1625_;
+                                                    switch bitcast<i32>(_e936) {
                                                         case 0: {
                                                             phi_1631_ = 1u;
                                                             break;
@@ -924,331 +925,331 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1398 = phi_1631_;
-                                                    let _e1402 = (_e864 + (_e1347.member_1 * ((3u * _e1398) + 1u)));
-                                                    switch bitcast<i32>(_e1395) {
+                                                    let _e939 = phi_1631_;
+                                                    let _e943 = (_e864 + (_e888.member_1 * ((3u * _e939) + 1u)));
+                                                    switch bitcast<i32>(_e936) {
                                                         case 0: {
-                                                            let _e1677 = (_e1402 < _e109);
-                                                            if _e1677 {
-                                                                if _e1677 {
+                                                            let _e1218 = (_e943 < _e109);
+                                                            if _e1218 {
+                                                                if _e1218 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1679 = global_10.member[_e1402];
-                                                                phi_1658_ = _e1679;
+                                                                let _e1220 = global_10.member[_e943];
+                                                                phi_1658_ = _e1220;
                                                             } else {
                                                                 phi_1658_ = 0u;
                                                             }
-                                                            let _e1681 = phi_1658_;
-                                                            let _e1683 = ((10u * _e439) & 31u);
-                                                            let _e1693 = ((10u * _e438) & 31u);
-                                                            let _e1703 = ((10u * _e440) & 31u);
-                                                            let _e1713 = (_e1402 + 1u);
-                                                            let _e1714 = (_e1713 < _e109);
-                                                            if _e1714 {
-                                                                if _e1714 {
+                                                            let _e1222 = phi_1658_;
+                                                            let _e1224 = ((10u * _e439) & 31u);
+                                                            let _e1234 = ((10u * _e438) & 31u);
+                                                            let _e1244 = ((10u * _e440) & 31u);
+                                                            let _e1254 = (_e943 + 1u);
+                                                            let _e1255 = (_e1254 < _e109);
+                                                            if _e1255 {
+                                                                if _e1255 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1716 = global_10.member[_e1713];
-                                                                phi_1707_ = _e1716;
+                                                                let _e1257 = global_10.member[_e1254];
+                                                                phi_1707_ = _e1257;
                                                             } else {
                                                                 phi_1707_ = 0u;
                                                             }
-                                                            let _e1718 = phi_1707_;
-                                                            let _e1744 = (_e1402 + 2u);
-                                                            let _e1745 = (_e1744 < _e109);
-                                                            if _e1745 {
-                                                                if _e1745 {
+                                                            let _e1259 = phi_1707_;
+                                                            let _e1285 = (_e943 + 2u);
+                                                            let _e1286 = (_e1285 < _e109);
+                                                            if _e1286 {
+                                                                if _e1286 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1747 = global_10.member[_e1744];
-                                                                phi_1756_ = _e1747;
+                                                                let _e1288 = global_10.member[_e1285];
+                                                                phi_1756_ = _e1288;
                                                             } else {
                                                                 phi_1756_ = 0u;
                                                             }
-                                                            let _e1749 = phi_1756_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))));
+                                                            let _e1290 = phi_1756_;
+                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1222 >> bitcast<u32>(_e1224)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1222 >> bitcast<u32>(_e1234)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1222 >> bitcast<u32>(_e1244)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1259 >> bitcast<u32>(_e1224)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1259 >> bitcast<u32>(_e1234)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1259 >> bitcast<u32>(_e1244)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1290 >> bitcast<u32>(_e1224)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1290 >> bitcast<u32>(_e1234)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1290 >> bitcast<u32>(_e1244)) & 1023u))) - 8388608f) * _e165))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1491 = (_e1402 < _e109);
-                                                            if _e1491 {
-                                                                if _e1491 {
+                                                            let _e1032 = (_e943 < _e109);
+                                                            if _e1032 {
+                                                                if _e1032 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1493 = global_10.member[_e1402];
-                                                                phi_1805_ = _e1493;
+                                                                let _e1034 = global_10.member[_e943];
+                                                                phi_1805_ = _e1034;
                                                             } else {
                                                                 phi_1805_ = 0u;
                                                             }
-                                                            let _e1495 = phi_1805_;
-                                                            let _e1496 = (_e1402 + 1u);
-                                                            let _e1497 = (_e1496 < _e109);
-                                                            if _e1497 {
-                                                                if _e1497 {
+                                                            let _e1036 = phi_1805_;
+                                                            let _e1037 = (_e943 + 1u);
+                                                            let _e1038 = (_e1037 < _e109);
+                                                            if _e1038 {
+                                                                if _e1038 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1499 = global_10.member[_e1496];
-                                                                phi_1820_ = _e1499;
+                                                                let _e1040 = global_10.member[_e1037];
+                                                                phi_1820_ = _e1040;
                                                             } else {
                                                                 phi_1820_ = 0u;
                                                             }
-                                                            let _e1501 = phi_1820_;
-                                                            let _e1502 = (_e439 == 1u);
-                                                            if _e1502 {
-                                                                phi_1830_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
+                                                            let _e1042 = phi_1820_;
+                                                            let _e1043 = (_e439 == 1u);
+                                                            if _e1043 {
+                                                                phi_1830_ = ((_e1036 >> bitcast<u32>(21i)) | (_e1042 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1830_ = (_e1501 >> bitcast<u32>(10i));
+                                                                phi_1830_ = (_e1042 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1511 = phi_1830_;
-                                                            let _e1519 = (_e438 == 1u);
-                                                            if _e1519 {
-                                                                phi_1851_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
+                                                            let _e1052 = phi_1830_;
+                                                            let _e1060 = (_e438 == 1u);
+                                                            if _e1060 {
+                                                                phi_1851_ = ((_e1036 >> bitcast<u32>(21i)) | (_e1042 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1851_ = (_e1501 >> bitcast<u32>(10i));
+                                                                phi_1851_ = (_e1042 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1528 = phi_1851_;
-                                                            let _e1536 = (_e440 == 1u);
-                                                            if _e1536 {
-                                                                phi_1872_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
+                                                            let _e1069 = phi_1851_;
+                                                            let _e1077 = (_e440 == 1u);
+                                                            if _e1077 {
+                                                                phi_1872_ = ((_e1036 >> bitcast<u32>(21i)) | (_e1042 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1872_ = (_e1501 >> bitcast<u32>(10i));
+                                                                phi_1872_ = (_e1042 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1545 = phi_1872_;
-                                                            let _e1554 = (_e1402 + 2u);
-                                                            let _e1555 = (_e1554 < _e109);
-                                                            if _e1555 {
-                                                                if _e1555 {
+                                                            let _e1086 = phi_1872_;
+                                                            let _e1095 = (_e943 + 2u);
+                                                            let _e1096 = (_e1095 < _e109);
+                                                            if _e1096 {
+                                                                if _e1096 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1557 = global_10.member[_e1554];
-                                                                phi_1902_ = _e1557;
+                                                                let _e1098 = global_10.member[_e1095];
+                                                                phi_1902_ = _e1098;
                                                             } else {
                                                                 phi_1902_ = 0u;
                                                             }
-                                                            let _e1559 = phi_1902_;
-                                                            let _e1560 = (_e1402 + 3u);
-                                                            let _e1561 = (_e1560 < _e109);
-                                                            if _e1561 {
-                                                                if _e1561 {
+                                                            let _e1100 = phi_1902_;
+                                                            let _e1101 = (_e943 + 3u);
+                                                            let _e1102 = (_e1101 < _e109);
+                                                            if _e1102 {
+                                                                if _e1102 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1563 = global_10.member[_e1560];
-                                                                phi_1917_ = _e1563;
+                                                                let _e1104 = global_10.member[_e1101];
+                                                                phi_1917_ = _e1104;
                                                             } else {
                                                                 phi_1917_ = 0u;
                                                             }
-                                                            let _e1565 = phi_1917_;
-                                                            if _e1502 {
-                                                                phi_1927_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
+                                                            let _e1106 = phi_1917_;
+                                                            if _e1043 {
+                                                                phi_1927_ = ((_e1100 >> bitcast<u32>(21i)) | (_e1106 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1927_ = (_e1565 >> bitcast<u32>(10i));
+                                                                phi_1927_ = (_e1106 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1574 = phi_1927_;
-                                                            if _e1519 {
-                                                                phi_1948_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
+                                                            let _e1115 = phi_1927_;
+                                                            if _e1060 {
+                                                                phi_1948_ = ((_e1100 >> bitcast<u32>(21i)) | (_e1106 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1948_ = (_e1565 >> bitcast<u32>(10i));
+                                                                phi_1948_ = (_e1106 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1590 = phi_1948_;
-                                                            if _e1536 {
-                                                                phi_1969_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
+                                                            let _e1131 = phi_1948_;
+                                                            if _e1077 {
+                                                                phi_1969_ = ((_e1100 >> bitcast<u32>(21i)) | (_e1106 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1969_ = (_e1565 >> bitcast<u32>(10i));
+                                                                phi_1969_ = (_e1106 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1606 = phi_1969_;
-                                                            let _e1615 = (_e1402 + 4u);
-                                                            let _e1616 = (_e1615 < _e109);
-                                                            if _e1616 {
-                                                                if _e1616 {
+                                                            let _e1147 = phi_1969_;
+                                                            let _e1156 = (_e943 + 4u);
+                                                            let _e1157 = (_e1156 < _e109);
+                                                            if _e1157 {
+                                                                if _e1157 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1618 = global_10.member[_e1615];
-                                                                phi_1999_ = _e1618;
+                                                                let _e1159 = global_10.member[_e1156];
+                                                                phi_1999_ = _e1159;
                                                             } else {
                                                                 phi_1999_ = 0u;
                                                             }
-                                                            let _e1620 = phi_1999_;
-                                                            let _e1621 = (_e1402 + 5u);
-                                                            let _e1622 = (_e1621 < _e109);
-                                                            if _e1622 {
-                                                                if _e1622 {
+                                                            let _e1161 = phi_1999_;
+                                                            let _e1162 = (_e943 + 5u);
+                                                            let _e1163 = (_e1162 < _e109);
+                                                            if _e1163 {
+                                                                if _e1163 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1624 = global_10.member[_e1621];
-                                                                phi_2014_ = _e1624;
+                                                                let _e1165 = global_10.member[_e1162];
+                                                                phi_2014_ = _e1165;
                                                             } else {
                                                                 phi_2014_ = 0u;
                                                             }
-                                                            let _e1626 = phi_2014_;
-                                                            if _e1502 {
-                                                                phi_2024_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
+                                                            let _e1167 = phi_2014_;
+                                                            if _e1043 {
+                                                                phi_2024_ = ((_e1161 >> bitcast<u32>(21i)) | (_e1167 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2024_ = (_e1626 >> bitcast<u32>(10i));
+                                                                phi_2024_ = (_e1167 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1635 = phi_2024_;
-                                                            if _e1519 {
-                                                                phi_2045_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
+                                                            let _e1176 = phi_2024_;
+                                                            if _e1060 {
+                                                                phi_2045_ = ((_e1161 >> bitcast<u32>(21i)) | (_e1167 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2045_ = (_e1626 >> bitcast<u32>(10i));
+                                                                phi_2045_ = (_e1167 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1651 = phi_2045_;
-                                                            if _e1536 {
-                                                                phi_2066_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
+                                                            let _e1192 = phi_2045_;
+                                                            if _e1077 {
+                                                                phi_2066_ = ((_e1161 >> bitcast<u32>(21i)) | (_e1167 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2066_ = (_e1626 >> bitcast<u32>(10i));
+                                                                phi_2066_ = (_e1167 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1667 = phi_2066_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1511, _e1495, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1528, _e1495, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1545, _e1495, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1574, _e1559, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1590, _e1559, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1606, _e1559, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1635, _e1620, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1651, _e1620, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1667, _e1620, _e596) & 2097151u))) - 8388608f) * _e165))));
+                                                            let _e1208 = phi_2066_;
+                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1052, _e1036, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1069, _e1036, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1086, _e1036, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1115, _e1100, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1131, _e1100, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1147, _e1100, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1176, _e1161, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1192, _e1161, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1208, _e1161, _e596) & 2097151u))) - 8388608f) * _e165))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e1404 = (_e1402 + _e439);
-                                                            let _e1405 = (_e1404 < _e109);
-                                                            if _e1405 {
-                                                                if _e1405 {
+                                                            let _e945 = (_e943 + _e439);
+                                                            let _e946 = (_e945 < _e109);
+                                                            if _e946 {
+                                                                if _e946 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1407 = global_10.member[_e1404];
-                                                                phi_2097_ = _e1407;
+                                                                let _e948 = global_10.member[_e945];
+                                                                phi_2097_ = _e948;
                                                             } else {
                                                                 phi_2097_ = 0u;
                                                             }
-                                                            let _e1409 = phi_2097_;
-                                                            let _e1413 = (_e1402 + _e438);
-                                                            let _e1414 = (_e1413 < _e109);
-                                                            if _e1414 {
-                                                                if _e1414 {
+                                                            let _e950 = phi_2097_;
+                                                            let _e954 = (_e943 + _e438);
+                                                            let _e955 = (_e954 < _e109);
+                                                            if _e955 {
+                                                                if _e955 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1416 = global_10.member[_e1413];
-                                                                phi_2115_ = _e1416;
+                                                                let _e957 = global_10.member[_e954];
+                                                                phi_2115_ = _e957;
                                                             } else {
                                                                 phi_2115_ = 0u;
                                                             }
-                                                            let _e1418 = phi_2115_;
-                                                            let _e1422 = (_e1402 + _e440);
-                                                            let _e1423 = (_e1422 < _e109);
-                                                            if _e1423 {
-                                                                if _e1423 {
+                                                            let _e959 = phi_2115_;
+                                                            let _e963 = (_e943 + _e440);
+                                                            let _e964 = (_e963 < _e109);
+                                                            if _e964 {
+                                                                if _e964 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1425 = global_10.member[_e1422];
-                                                                phi_2133_ = _e1425;
+                                                                let _e966 = global_10.member[_e963];
+                                                                phi_2133_ = _e966;
                                                             } else {
                                                                 phi_2133_ = 0u;
                                                             }
-                                                            let _e1427 = phi_2133_;
-                                                            let _e1432 = (_e1402 + 3u);
-                                                            let _e1433 = (_e1432 + _e439);
-                                                            let _e1434 = (_e1433 < _e109);
-                                                            if _e1434 {
-                                                                if _e1434 {
+                                                            let _e968 = phi_2133_;
+                                                            let _e973 = (_e943 + 3u);
+                                                            let _e974 = (_e973 + _e439);
+                                                            let _e975 = (_e974 < _e109);
+                                                            if _e975 {
+                                                                if _e975 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1436 = global_10.member[_e1433];
-                                                                phi_2156_ = _e1436;
+                                                                let _e977 = global_10.member[_e974];
+                                                                phi_2156_ = _e977;
                                                             } else {
                                                                 phi_2156_ = 0u;
                                                             }
-                                                            let _e1438 = phi_2156_;
-                                                            let _e1442 = (_e1432 + _e438);
-                                                            let _e1443 = (_e1442 < _e109);
-                                                            if _e1443 {
-                                                                if _e1443 {
+                                                            let _e979 = phi_2156_;
+                                                            let _e983 = (_e973 + _e438);
+                                                            let _e984 = (_e983 < _e109);
+                                                            if _e984 {
+                                                                if _e984 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1445 = global_10.member[_e1442];
-                                                                phi_2174_ = _e1445;
+                                                                let _e986 = global_10.member[_e983];
+                                                                phi_2174_ = _e986;
                                                             } else {
                                                                 phi_2174_ = 0u;
                                                             }
-                                                            let _e1447 = phi_2174_;
-                                                            let _e1451 = (_e1432 + _e440);
-                                                            let _e1452 = (_e1451 < _e109);
-                                                            if _e1452 {
-                                                                if _e1452 {
+                                                            let _e988 = phi_2174_;
+                                                            let _e992 = (_e973 + _e440);
+                                                            let _e993 = (_e992 < _e109);
+                                                            if _e993 {
+                                                                if _e993 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1454 = global_10.member[_e1451];
-                                                                phi_2192_ = _e1454;
+                                                                let _e995 = global_10.member[_e992];
+                                                                phi_2192_ = _e995;
                                                             } else {
                                                                 phi_2192_ = 0u;
                                                             }
-                                                            let _e1456 = phi_2192_;
-                                                            let _e1461 = (_e1402 + 6u);
-                                                            let _e1462 = (_e1461 + _e439);
-                                                            let _e1463 = (_e1462 < _e109);
-                                                            if _e1463 {
-                                                                if _e1463 {
+                                                            let _e997 = phi_2192_;
+                                                            let _e1002 = (_e943 + 6u);
+                                                            let _e1003 = (_e1002 + _e439);
+                                                            let _e1004 = (_e1003 < _e109);
+                                                            if _e1004 {
+                                                                if _e1004 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1465 = global_10.member[_e1462];
-                                                                phi_2215_ = _e1465;
+                                                                let _e1006 = global_10.member[_e1003];
+                                                                phi_2215_ = _e1006;
                                                             } else {
                                                                 phi_2215_ = 0u;
                                                             }
-                                                            let _e1467 = phi_2215_;
-                                                            let _e1471 = (_e1461 + _e438);
-                                                            let _e1472 = (_e1471 < _e109);
-                                                            if _e1472 {
-                                                                if _e1472 {
+                                                            let _e1008 = phi_2215_;
+                                                            let _e1012 = (_e1002 + _e438);
+                                                            let _e1013 = (_e1012 < _e109);
+                                                            if _e1013 {
+                                                                if _e1013 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1474 = global_10.member[_e1471];
-                                                                phi_2233_ = _e1474;
+                                                                let _e1015 = global_10.member[_e1012];
+                                                                phi_2233_ = _e1015;
                                                             } else {
                                                                 phi_2233_ = 0u;
                                                             }
-                                                            let _e1476 = phi_2233_;
-                                                            let _e1480 = (_e1461 + _e440);
-                                                            let _e1481 = (_e1480 < _e109);
-                                                            if _e1481 {
-                                                                if _e1481 {
+                                                            let _e1017 = phi_2233_;
+                                                            let _e1021 = (_e1002 + _e440);
+                                                            let _e1022 = (_e1021 < _e109);
+                                                            if _e1022 {
+                                                                if _e1022 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1483 = global_10.member[_e1480];
-                                                                phi_2251_ = _e1483;
+                                                                let _e1024 = global_10.member[_e1021];
+                                                                phi_2251_ = _e1024;
                                                             } else {
                                                                 phi_2251_ = 0u;
                                                             }
-                                                            let _e1485 = phi_2251_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1409)) * _e165), (f32(bitcast<i32>(_e1418)) * _e165), (f32(bitcast<i32>(_e1427)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1438)) * _e165), (f32(bitcast<i32>(_e1447)) * _e165), (f32(bitcast<i32>(_e1456)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1467)) * _e165), (f32(bitcast<i32>(_e1476)) * _e165), (f32(bitcast<i32>(_e1485)) * _e165)));
+                                                            let _e1026 = phi_2251_;
+                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e950)) * _e165), (f32(bitcast<i32>(_e959)) * _e165), (f32(bitcast<i32>(_e968)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e979)) * _e165), (f32(bitcast<i32>(_e988)) * _e165), (f32(bitcast<i32>(_e997)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1008)) * _e165), (f32(bitcast<i32>(_e1017)) * _e165), (f32(bitcast<i32>(_e1026)) * _e165)));
                                                             break;
                                                         }
                                                         default: {
@@ -1256,840 +1257,851 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1777 = phi_2257_;
-                                                    let _e1785 = (_e1777[0][2] - _e619);
-                                                    let _e1788 = (((_e1777[0][0] - _e486) * _e658) - (_e1785 * _e526));
-                                                    let _e1791 = (((_e1777[0][1] - _e553) * _e658) - (_e1785 * _e592));
-                                                    let _e1798 = (_e1777[1][2] - _e619);
-                                                    let _e1801 = (((_e1777[1][0] - _e486) * _e658) - (_e1798 * _e526));
-                                                    let _e1804 = (((_e1777[1][1] - _e553) * _e658) - (_e1798 * _e592));
-                                                    let _e1811 = (_e1777[2][2] - _e619);
-                                                    let _e1814 = (((_e1777[2][0] - _e486) * _e658) - (_e1811 * _e526));
-                                                    let _e1817 = (((_e1777[2][1] - _e553) * _e658) - (_e1811 * _e592));
-                                                    let _e1818 = (_e1814 * _e1804);
-                                                    let _e1819 = (_e1817 * _e1801);
-                                                    let _e1820 = (_e1788 * _e1817);
-                                                    let _e1821 = (_e1791 * _e1814);
-                                                    let _e1822 = (_e1801 * _e1791);
-                                                    let _e1823 = (_e1804 * _e1788);
-                                                    let _e1828 = (((_e1818 >= _e1819) && (_e1820 >= _e1821)) && (_e1822 >= _e1823));
-                                                    if (_e1828 || (((_e1818 <= _e1819) && (_e1820 <= _e1821)) && (_e1822 <= _e1823))) {
-                                                        let _e1835 = select(-1f, 1f, _e1828);
-                                                        let _e1837 = ((_e1818 - _e1819) * _e1835);
-                                                        let _e1839 = select(0f, _e1837, (_e1837 > 0f));
-                                                        let _e1841 = ((_e1820 - _e1821) * _e1835);
-                                                        let _e1843 = select(0f, _e1841, (_e1841 > 0f));
-                                                        let _e1845 = ((_e1822 - _e1823) * _e1835);
-                                                        let _e1847 = select(0f, _e1845, (_e1845 > 0f));
-                                                        let _e1849 = ((_e1839 + _e1843) + _e1847);
-                                                        if (_e1849 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e1318 = phi_2257_;
+                                                    let _e1326 = (_e1318[0][2] - _e619);
+                                                    let _e1329 = (((_e1318[0][0] - _e486) * _e658) - (_e1326 * _e526));
+                                                    let _e1332 = (((_e1318[0][1] - _e553) * _e658) - (_e1326 * _e592));
+                                                    let _e1339 = (_e1318[1][2] - _e619);
+                                                    let _e1342 = (((_e1318[1][0] - _e486) * _e658) - (_e1339 * _e526));
+                                                    let _e1345 = (((_e1318[1][1] - _e553) * _e658) - (_e1339 * _e592));
+                                                    let _e1352 = (_e1318[2][2] - _e619);
+                                                    let _e1355 = (((_e1318[2][0] - _e486) * _e658) - (_e1352 * _e526));
+                                                    let _e1358 = (((_e1318[2][1] - _e553) * _e658) - (_e1352 * _e592));
+                                                    let _e1359 = (_e1355 * _e1345);
+                                                    let _e1360 = (_e1358 * _e1342);
+                                                    let _e1361 = (_e1329 * _e1358);
+                                                    let _e1362 = (_e1332 * _e1355);
+                                                    let _e1363 = (_e1342 * _e1332);
+                                                    let _e1364 = (_e1345 * _e1329);
+                                                    let _e1369 = (((_e1359 >= _e1360) && (_e1361 >= _e1362)) && (_e1363 >= _e1364));
+                                                    if (_e1369 || (((_e1359 <= _e1360) && (_e1361 <= _e1362)) && (_e1363 <= _e1364))) {
+                                                        let _e1376 = select(-1f, 1f, _e1369);
+                                                        let _e1378 = ((_e1359 - _e1360) * _e1376);
+                                                        let _e1380 = select(0f, _e1378, (_e1378 > 0f));
+                                                        let _e1382 = ((_e1361 - _e1362) * _e1376);
+                                                        let _e1384 = select(0f, _e1382, (_e1382 > 0f));
+                                                        let _e1386 = ((_e1363 - _e1364) * _e1376);
+                                                        let _e1388 = select(0f, _e1386, (_e1386 > 0f));
+                                                        let _e1390 = ((_e1380 + _e1384) + _e1388);
+                                                        if (_e1390 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_3141_ = type_25();
                                                             phi_3142_ = true;
                                                             phi_3143_ = false;
                                                         } else {
-                                                            let _e1852 = select(_e1801, _e1788, (_e1788 < _e1801));
-                                                            if (select(_e1814, _e1852, (_e1852 < _e1814)) > 0f) {
+                                                            let _e1393 = select(_e1342, _e1329, (_e1329 < _e1342));
+                                                            if (select(_e1355, _e1393, (_e1393 < _e1355)) > 0f) {
                                                                 phi_2409_ = true;
                                                             } else {
-                                                                let _e1857 = select(_e1801, _e1788, (_e1788 > _e1801));
-                                                                phi_2409_ = (select(_e1814, _e1857, (_e1857 > _e1814)) < 0f);
+                                                                let _e1398 = select(_e1342, _e1329, (_e1329 > _e1342));
+                                                                phi_2409_ = (select(_e1355, _e1398, (_e1398 > _e1355)) < 0f);
                                                             }
-                                                            let _e1862 = phi_2409_;
-                                                            if _e1862 {
+                                                            let _e1403 = phi_2409_;
+                                                            if _e1403 {
                                                                 phi_3138_ = type_25();
                                                                 phi_3139_ = true;
                                                                 phi_3140_ = false;
                                                             } else {
-                                                                let _e1864 = select(_e1804, _e1791, (_e1791 < _e1804));
-                                                                if (select(_e1817, _e1864, (_e1864 < _e1817)) > 0f) {
+                                                                let _e1405 = select(_e1345, _e1332, (_e1332 < _e1345));
+                                                                if (select(_e1358, _e1405, (_e1405 < _e1358)) > 0f) {
                                                                     phi_2438_ = true;
                                                                 } else {
-                                                                    let _e1869 = select(_e1804, _e1791, (_e1791 > _e1804));
-                                                                    phi_2438_ = (select(_e1817, _e1869, (_e1869 > _e1817)) < 0f);
+                                                                    let _e1410 = select(_e1345, _e1332, (_e1332 > _e1345));
+                                                                    phi_2438_ = (select(_e1358, _e1410, (_e1410 > _e1358)) < 0f);
                                                                 }
-                                                                let _e1874 = phi_2438_;
-                                                                if _e1874 {
+                                                                let _e1415 = phi_2438_;
+                                                                if _e1415 {
                                                                     phi_3136_ = type_25();
                                                                     phi_3137_ = false;
                                                                 } else {
-                                                                    let _e1876 = select(_e1777[1][0], _e1777[0][0], (_e1777[0][0] < _e1777[1][0]));
-                                                                    let _e1880 = select(_e1777[1][0], _e1777[0][0], (_e1777[0][0] > _e1777[1][0]));
-                                                                    let _e1884 = select(_e1777[1][1], _e1777[0][1], (_e1777[0][1] < _e1777[1][1]));
-                                                                    let _e1888 = select(_e1777[1][1], _e1777[0][1], (_e1777[0][1] > _e1777[1][1]));
-                                                                    let _e1892 = select(_e1777[1][2], _e1777[0][2], (_e1777[0][2] < _e1777[1][2]));
-                                                                    let _e1896 = select(_e1777[1][2], _e1777[0][2], (_e1777[0][2] > _e1777[1][2]));
-                                                                    let _e1901 = ((select(_e1777[2][0], _e1876, (_e1876 < _e1777[2][0])) - _e524) * _e529);
-                                                                    let _e1902 = ((select(_e1777[2][0], _e1880, (_e1880 > _e1777[2][0])) - _e525) * _e529);
-                                                                    let _e1905 = ((select(_e1777[2][1], _e1884, (_e1884 < _e1777[2][1])) - _e590) * _e595);
-                                                                    let _e1906 = ((select(_e1777[2][1], _e1888, (_e1888 > _e1777[2][1])) - _e591) * _e595);
-                                                                    let _e1909 = ((select(_e1777[2][2], _e1892, (_e1892 < _e1777[2][2])) - _e656) * _e661);
-                                                                    let _e1910 = ((select(_e1777[2][2], _e1896, (_e1896 > _e1777[2][2])) - _e657) * _e661);
-                                                                    let _e1912 = select(_e1910, _e1909, (_e1909 < _e1910));
-                                                                    let _e1914 = select(_e1910, _e1909, (_e1909 > _e1910));
-                                                                    let _e1916 = select(_e1902, _e1901, (_e1901 < _e1902));
-                                                                    let _e1918 = select(_e1906, _e1905, (_e1905 < _e1906));
-                                                                    let _e1920 = select(_e1918, _e1916, (_e1916 > _e1918));
-                                                                    let _e1922 = select(_e1912, _e1920, (_e1920 > _e1912));
-                                                                    let _e1924 = select(_e1902, _e1901, (_e1901 > _e1902));
-                                                                    let _e1926 = select(_e1906, _e1905, (_e1905 > _e1906));
-                                                                    let _e1928 = select(_e1926, _e1924, (_e1924 < _e1926));
-                                                                    let _e1930 = select(_e1914, _e1928, (_e1928 < _e1914));
-                                                                    let _e1931 = -(_e1912);
-                                                                    let _e1937 = select(_e772, _e1922, (_e1922 > _e772));
-                                                                    if (_e1937 > (_e1930 + (select(_e1931, _e1914, (_e1914 > _e1931)) * 0.0000019073523f))) {
+                                                                    let _e1417 = select(_e1318[1][0], _e1318[0][0], (_e1318[0][0] < _e1318[1][0]));
+                                                                    let _e1421 = select(_e1318[1][0], _e1318[0][0], (_e1318[0][0] > _e1318[1][0]));
+                                                                    let _e1425 = select(_e1318[1][1], _e1318[0][1], (_e1318[0][1] < _e1318[1][1]));
+                                                                    let _e1429 = select(_e1318[1][1], _e1318[0][1], (_e1318[0][1] > _e1318[1][1]));
+                                                                    let _e1433 = select(_e1318[1][2], _e1318[0][2], (_e1318[0][2] < _e1318[1][2]));
+                                                                    let _e1437 = select(_e1318[1][2], _e1318[0][2], (_e1318[0][2] > _e1318[1][2]));
+                                                                    let _e1442 = ((select(_e1318[2][0], _e1417, (_e1417 < _e1318[2][0])) - _e524) * _e529);
+                                                                    let _e1443 = ((select(_e1318[2][0], _e1421, (_e1421 > _e1318[2][0])) - _e525) * _e529);
+                                                                    let _e1446 = ((select(_e1318[2][1], _e1425, (_e1425 < _e1318[2][1])) - _e590) * _e595);
+                                                                    let _e1447 = ((select(_e1318[2][1], _e1429, (_e1429 > _e1318[2][1])) - _e591) * _e595);
+                                                                    let _e1450 = ((select(_e1318[2][2], _e1433, (_e1433 < _e1318[2][2])) - _e656) * _e661);
+                                                                    let _e1451 = ((select(_e1318[2][2], _e1437, (_e1437 > _e1318[2][2])) - _e657) * _e661);
+                                                                    let _e1453 = select(_e1451, _e1450, (_e1450 < _e1451));
+                                                                    let _e1455 = select(_e1451, _e1450, (_e1450 > _e1451));
+                                                                    let _e1457 = select(_e1443, _e1442, (_e1442 < _e1443));
+                                                                    let _e1459 = select(_e1447, _e1446, (_e1446 < _e1447));
+                                                                    let _e1461 = select(_e1459, _e1457, (_e1457 > _e1459));
+                                                                    let _e1463 = select(_e1453, _e1461, (_e1461 > _e1453));
+                                                                    let _e1465 = select(_e1443, _e1442, (_e1442 > _e1443));
+                                                                    let _e1467 = select(_e1447, _e1446, (_e1446 > _e1447));
+                                                                    let _e1469 = select(_e1467, _e1465, (_e1465 < _e1467));
+                                                                    let _e1471 = select(_e1455, _e1469, (_e1469 < _e1455));
+                                                                    let _e1472 = -(_e1453);
+                                                                    let _e1478 = select(_e772, _e1463, (_e1463 > _e772));
+                                                                    if (_e1478 > (_e1471 + (select(_e1472, _e1455, (_e1455 > _e1472)) * 0.0000019073523f))) {
                                                                         phi_3131_ = type_25();
                                                                         phi_3132_ = true;
                                                                     } else {
-                                                                        let _e1939 = (_e1937 > _e1330.member);
-                                                                        if _e1939 {
+                                                                        let _e1480 = (_e1478 > _e871.member);
+                                                                        if _e1480 {
                                                                             phi_3130_ = type_25();
                                                                         } else {
-                                                                            let _e1940 = vec3<f32>(_e1777[0][0], _e1777[0][1], _e1777[0][2]);
-                                                                            let _e1941 = vec3<f32>(_e1777[1][0], _e1777[1][1], _e1777[1][2]);
-                                                                            let _e1942 = vec3<f32>(_e1777[2][0], _e1777[2][1], _e1777[2][2]);
-                                                                            let _e1943 = (_e1777[1][0] - _e1777[0][0]);
-                                                                            let _e1944 = (_e1777[1][1] - _e1777[0][1]);
-                                                                            let _e1945 = (_e1777[1][2] - _e1777[0][2]);
-                                                                            let _e1946 = vec3<f32>(_e1943, _e1944, _e1945);
-                                                                            let _e1947 = (_e1777[2][0] - _e1777[1][0]);
-                                                                            let _e1948 = (_e1777[2][1] - _e1777[1][1]);
-                                                                            let _e1949 = (_e1777[2][2] - _e1777[1][2]);
-                                                                            let _e1950 = vec3<f32>(_e1947, _e1948, _e1949);
-                                                                            let _e1951 = (_e1777[0][0] - _e1777[2][0]);
-                                                                            let _e1952 = (_e1777[0][1] - _e1777[2][1]);
-                                                                            let _e1953 = (_e1777[0][2] - _e1777[2][2]);
-                                                                            let _e1954 = vec3<f32>(_e1951, _e1952, _e1953);
-                                                                            let _e1957 = bitcast<f32>((bitcast<u32>(_e1943) & 2147483647u));
-                                                                            let _e1960 = bitcast<f32>((bitcast<u32>(_e1944) & 2147483647u));
-                                                                            let _e1962 = select(_e1960, _e1957, (_e1957 > _e1960));
-                                                                            let _e1965 = bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u));
-                                                                            let _e1967 = select(_e1965, _e1962, (_e1962 > _e1965));
-                                                                            let _e1970 = bitcast<f32>((bitcast<u32>(_e1947) & 2147483647u));
-                                                                            let _e1973 = bitcast<f32>((bitcast<u32>(_e1948) & 2147483647u));
-                                                                            let _e1975 = select(_e1973, _e1970, (_e1970 > _e1973));
-                                                                            let _e1978 = bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u));
-                                                                            let _e1980 = select(_e1978, _e1975, (_e1975 > _e1978));
-                                                                            let _e1983 = bitcast<f32>((bitcast<u32>(_e1951) & 2147483647u));
-                                                                            let _e1986 = bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u));
-                                                                            let _e1988 = select(_e1986, _e1983, (_e1983 > _e1986));
-                                                                            let _e1991 = bitcast<f32>((bitcast<u32>(_e1953) & 2147483647u));
-                                                                            let _e1993 = select(_e1991, _e1988, (_e1988 > _e1991));
-                                                                            let _e1995 = select(_e1980, _e1967, (_e1967 > _e1980));
-                                                                            let _e1997 = select(_e1993, _e1995, (_e1995 > _e1993));
-                                                                            if (_e1967 == _e1997) {
-                                                                                phi_2857_ = _e1804;
-                                                                                phi_2858_ = _e1801;
-                                                                                phi_2859_ = _e1791;
-                                                                                phi_2860_ = _e1788;
-                                                                                phi_2861_ = _e1940;
-                                                                                phi_2862_ = _e1954;
-                                                                                phi_2863_ = _e1950;
-                                                                                phi_2864_ = _e1946;
+                                                                            let _e1481 = vec3<f32>(_e1318[0][0], _e1318[0][1], _e1318[0][2]);
+                                                                            let _e1482 = vec3<f32>(_e1318[1][0], _e1318[1][1], _e1318[1][2]);
+                                                                            let _e1483 = vec3<f32>(_e1318[2][0], _e1318[2][1], _e1318[2][2]);
+                                                                            let _e1484 = (_e1318[1][0] - _e1318[0][0]);
+                                                                            let _e1485 = (_e1318[1][1] - _e1318[0][1]);
+                                                                            let _e1486 = (_e1318[1][2] - _e1318[0][2]);
+                                                                            let _e1487 = vec3<f32>(_e1484, _e1485, _e1486);
+                                                                            let _e1488 = (_e1318[2][0] - _e1318[1][0]);
+                                                                            let _e1489 = (_e1318[2][1] - _e1318[1][1]);
+                                                                            let _e1490 = (_e1318[2][2] - _e1318[1][2]);
+                                                                            let _e1491 = vec3<f32>(_e1488, _e1489, _e1490);
+                                                                            let _e1492 = (_e1318[0][0] - _e1318[2][0]);
+                                                                            let _e1493 = (_e1318[0][1] - _e1318[2][1]);
+                                                                            let _e1494 = (_e1318[0][2] - _e1318[2][2]);
+                                                                            let _e1495 = vec3<f32>(_e1492, _e1493, _e1494);
+                                                                            let _e1498 = bitcast<f32>((bitcast<u32>(_e1484) & 2147483647u));
+                                                                            let _e1501 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
+                                                                            let _e1503 = select(_e1501, _e1498, (_e1498 > _e1501));
+                                                                            let _e1506 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
+                                                                            let _e1508 = select(_e1506, _e1503, (_e1503 > _e1506));
+                                                                            let _e1511 = bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u));
+                                                                            let _e1514 = bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u));
+                                                                            let _e1516 = select(_e1514, _e1511, (_e1511 > _e1514));
+                                                                            let _e1519 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
+                                                                            let _e1521 = select(_e1519, _e1516, (_e1516 > _e1519));
+                                                                            let _e1524 = bitcast<f32>((bitcast<u32>(_e1492) & 2147483647u));
+                                                                            let _e1527 = bitcast<f32>((bitcast<u32>(_e1493) & 2147483647u));
+                                                                            let _e1529 = select(_e1527, _e1524, (_e1524 > _e1527));
+                                                                            let _e1532 = bitcast<f32>((bitcast<u32>(_e1494) & 2147483647u));
+                                                                            let _e1534 = select(_e1532, _e1529, (_e1529 > _e1532));
+                                                                            let _e1536 = select(_e1521, _e1508, (_e1508 > _e1521));
+                                                                            let _e1538 = select(_e1534, _e1536, (_e1536 > _e1534));
+                                                                            if (_e1508 == _e1538) {
+                                                                                phi_2857_ = _e1345;
+                                                                                phi_2858_ = _e1342;
+                                                                                phi_2859_ = _e1332;
+                                                                                phi_2860_ = _e1329;
+                                                                                phi_2861_ = _e1481;
+                                                                                phi_2862_ = _e1495;
+                                                                                phi_2863_ = _e1491;
+                                                                                phi_2864_ = _e1487;
                                                                             } else {
-                                                                                let _e1999 = (_e1980 == _e1997);
-                                                                                let _e2004 = vec3(_e1999);
-                                                                                phi_2857_ = select(_e1791, _e1817, _e1999);
-                                                                                phi_2858_ = select(_e1788, _e1814, _e1999);
-                                                                                phi_2859_ = select(_e1817, _e1804, _e1999);
-                                                                                phi_2860_ = select(_e1814, _e1801, _e1999);
-                                                                                phi_2861_ = select(_e1942, _e1941, _e2004);
-                                                                                phi_2862_ = select(_e1950, _e1946, _e2004);
-                                                                                phi_2863_ = select(_e1946, _e1954, _e2004);
-                                                                                phi_2864_ = select(_e1954, _e1950, _e2004);
+                                                                                let _e1540 = (_e1521 == _e1538);
+                                                                                let _e1545 = vec3(_e1540);
+                                                                                phi_2857_ = select(_e1332, _e1358, _e1540);
+                                                                                phi_2858_ = select(_e1329, _e1355, _e1540);
+                                                                                phi_2859_ = select(_e1358, _e1345, _e1540);
+                                                                                phi_2860_ = select(_e1355, _e1342, _e1540);
+                                                                                phi_2861_ = select(_e1483, _e1482, _e1545);
+                                                                                phi_2862_ = select(_e1491, _e1487, _e1545);
+                                                                                phi_2863_ = select(_e1487, _e1495, _e1545);
+                                                                                phi_2864_ = select(_e1495, _e1491, _e1545);
                                                                             }
-                                                                            let _e2010 = phi_2857_;
-                                                                            let _e2012 = phi_2858_;
-                                                                            let _e2014 = phi_2859_;
-                                                                            let _e2016 = phi_2860_;
-                                                                            let _e2018 = phi_2861_;
-                                                                            let _e2020 = phi_2862_;
-                                                                            let _e2022 = phi_2863_;
-                                                                            let _e2024 = phi_2864_;
-                                                                            let _e2031 = ((_e2022.y * _e2020.z) - (_e2020.y * _e2022.z));
-                                                                            let _e2036 = ((_e2022.z * _e2020.x) - (_e2020.z * _e2022.x));
-                                                                            let _e2039 = ((_e2022.x * _e2020.y) - (_e2020.x * _e2022.y));
-                                                                            if (_e1839 >= _e1843) {
-                                                                                phi_2901_ = select(true, false, (_e1839 >= _e1847));
+                                                                            let _e1551 = phi_2857_;
+                                                                            let _e1553 = phi_2858_;
+                                                                            let _e1555 = phi_2859_;
+                                                                            let _e1557 = phi_2860_;
+                                                                            let _e1559 = phi_2861_;
+                                                                            let _e1561 = phi_2862_;
+                                                                            let _e1563 = phi_2863_;
+                                                                            let _e1565 = phi_2864_;
+                                                                            let _e1572 = ((_e1563.y * _e1561.z) - (_e1561.y * _e1563.z));
+                                                                            let _e1577 = ((_e1563.z * _e1561.x) - (_e1561.z * _e1563.x));
+                                                                            let _e1580 = ((_e1563.x * _e1561.y) - (_e1561.x * _e1563.y));
+                                                                            if (_e1380 >= _e1384) {
+                                                                                phi_2901_ = select(true, false, (_e1380 >= _e1388));
                                                                             } else {
                                                                                 phi_2901_ = true;
                                                                             }
-                                                                            let _e2044 = phi_2901_;
-                                                                            if _e2044 {
-                                                                                phi_2910_ = select(_e1942, _e1941, vec3((_e1843 >= _e1847)));
+                                                                            let _e1585 = phi_2901_;
+                                                                            if _e1585 {
+                                                                                phi_2910_ = select(_e1483, _e1482, vec3((_e1384 >= _e1388)));
                                                                             } else {
-                                                                                phi_2910_ = _e1940;
+                                                                                phi_2910_ = _e1481;
                                                                             }
-                                                                            let _e2049 = phi_2910_;
-                                                                            let _e2060 = (((_e2031 * (_e2049.x - _e486)) + (_e2036 * (_e2049.y - _e553))) + (_e2039 * (_e2049.z - _e619)));
-                                                                            let _e2065 = (((_e2031 * _e526) + (_e2036 * _e592)) + (_e2039 * _e658));
-                                                                            let _e2066 = (_e2012 - _e2016);
-                                                                            let _e2067 = (_e2010 - _e2014);
-                                                                            let _e2075 = (-(((_e2016 * _e2066) + (_e2014 * _e2067))) / ((_e2066 * _e2066) + (_e2067 * _e2067)));
-                                                                            let _e2077 = select(1f, _e2075, (_e2075 < 1f));
-                                                                            let _e2079 = select(0f, _e2077, (_e2077 > 0f));
-                                                                            let _e2092 = ((_e2018.x + (_e2024.x * _e2079)) - _e486);
-                                                                            let _e2093 = ((_e2018.y + (_e2024.y * _e2079)) - _e553);
-                                                                            let _e2094 = ((_e2018.z + (_e2024.z * _e2079)) - _e619);
-                                                                            let _e2095 = (_e2094 / _e658);
-                                                                            let _e2107 = bitcast<f32>((bitcast<u32>(_e2092) & 2147483647u));
-                                                                            let _e2110 = bitcast<f32>((bitcast<u32>(_e2093) & 2147483647u));
-                                                                            let _e2112 = select(_e2110, _e2107, (_e2107 > _e2110));
-                                                                            let _e2115 = bitcast<f32>((bitcast<u32>(_e2094) & 2147483647u));
-                                                                            let _e2117 = select(_e2115, _e2112, (_e2112 > _e2115));
-                                                                            let _e2123 = bitcast<f32>((bitcast<u32>(_e2031) & 2147483647u));
-                                                                            let _e2126 = bitcast<f32>((bitcast<u32>(_e2036) & 2147483647u));
-                                                                            let _e2128 = select(_e2126, _e2123, (_e2123 > _e2126));
-                                                                            let _e2131 = bitcast<f32>((bitcast<u32>(_e2039) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e2031 * _e2092) + (_e2036 * _e2093)) + (_e2039 * _e2094)) - _e2060)) & 2147483647u)) <= ((0.0000009536743f * select(_e1997, _e2117, (_e2117 > _e1997))) * select(_e2131, _e2128, (_e2128 > _e2131)))) {
-                                                                                let _e2141 = bitcast<f32>((bitcast<u32>(_e2022.x) & 2147483647u));
-                                                                                let _e2144 = bitcast<f32>((bitcast<u32>(_e2022.y) & 2147483647u));
-                                                                                let _e2146 = select(_e2144, _e2141, (_e2141 > _e2144));
-                                                                                let _e2149 = bitcast<f32>((bitcast<u32>(_e2022.z) & 2147483647u));
-                                                                                let _e2155 = bitcast<f32>((bitcast<u32>(_e2020.x) & 2147483647u));
-                                                                                let _e2158 = bitcast<f32>((bitcast<u32>(_e2020.y) & 2147483647u));
-                                                                                let _e2160 = select(_e2158, _e2155, (_e2155 > _e2158));
-                                                                                let _e2163 = bitcast<f32>((bitcast<u32>(_e2020.z) & 2147483647u));
-                                                                                let _e2167 = (bitcast<f32>((bitcast<u32>(_e2065) & 2147483647u)) > ((0.0000038146973f * select(_e2149, _e2146, (_e2146 > _e2149))) * select(_e2163, _e2160, (_e2160 > _e2163))));
-                                                                                if _e2167 {
-                                                                                    phi_3075_ = (_e2060 / _e2065);
+                                                                            let _e1590 = phi_2910_;
+                                                                            let _e1601 = (((_e1572 * (_e1590.x - _e486)) + (_e1577 * (_e1590.y - _e553))) + (_e1580 * (_e1590.z - _e619)));
+                                                                            let _e1606 = (((_e1572 * _e526) + (_e1577 * _e592)) + (_e1580 * _e658));
+                                                                            let _e1607 = (_e1553 - _e1557);
+                                                                            let _e1608 = (_e1551 - _e1555);
+                                                                            let _e1616 = (-(((_e1557 * _e1607) + (_e1555 * _e1608))) / ((_e1607 * _e1607) + (_e1608 * _e1608)));
+                                                                            let _e1618 = select(1f, _e1616, (_e1616 < 1f));
+                                                                            let _e1620 = select(0f, _e1618, (_e1618 > 0f));
+                                                                            let _e1633 = ((_e1559.x + (_e1565.x * _e1620)) - _e486);
+                                                                            let _e1634 = ((_e1559.y + (_e1565.y * _e1620)) - _e553);
+                                                                            let _e1635 = ((_e1559.z + (_e1565.z * _e1620)) - _e619);
+                                                                            let _e1636 = (_e1635 / _e658);
+                                                                            let _e1648 = bitcast<f32>((bitcast<u32>(_e1633) & 2147483647u));
+                                                                            let _e1651 = bitcast<f32>((bitcast<u32>(_e1634) & 2147483647u));
+                                                                            let _e1653 = select(_e1651, _e1648, (_e1648 > _e1651));
+                                                                            let _e1656 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
+                                                                            let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
+                                                                            let _e1664 = bitcast<f32>((bitcast<u32>(_e1572) & 2147483647u));
+                                                                            let _e1667 = bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u));
+                                                                            let _e1669 = select(_e1667, _e1664, (_e1664 > _e1667));
+                                                                            let _e1672 = bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1572 * _e1633) + (_e1577 * _e1634)) + (_e1580 * _e1635)) - _e1601)) & 2147483647u)) <= ((0.0000009536743f * select(_e1538, _e1658, (_e1658 > _e1538))) * select(_e1672, _e1669, (_e1669 > _e1672)))) {
+                                                                                let _e1682 = bitcast<f32>((bitcast<u32>(_e1563.x) & 2147483647u));
+                                                                                let _e1685 = bitcast<f32>((bitcast<u32>(_e1563.y) & 2147483647u));
+                                                                                let _e1687 = select(_e1685, _e1682, (_e1682 > _e1685));
+                                                                                let _e1690 = bitcast<f32>((bitcast<u32>(_e1563.z) & 2147483647u));
+                                                                                let _e1696 = bitcast<f32>((bitcast<u32>(_e1561.x) & 2147483647u));
+                                                                                let _e1699 = bitcast<f32>((bitcast<u32>(_e1561.y) & 2147483647u));
+                                                                                let _e1701 = select(_e1699, _e1696, (_e1696 > _e1699));
+                                                                                let _e1704 = bitcast<f32>((bitcast<u32>(_e1561.z) & 2147483647u));
+                                                                                let _e1708 = (bitcast<f32>((bitcast<u32>(_e1606) & 2147483647u)) > ((0.0000038146973f * select(_e1690, _e1687, (_e1687 > _e1690))) * select(_e1704, _e1701, (_e1701 > _e1704))));
+                                                                                if _e1708 {
+                                                                                    phi_3075_ = (_e1601 / _e1606);
                                                                                 } else {
                                                                                     phi_3075_ = f32();
                                                                                 }
-                                                                                let _e2170 = phi_3075_;
-                                                                                phi_3077_ = _e2170;
-                                                                                phi_3078_ = select(true, false, _e2167);
+                                                                                let _e1711 = phi_3075_;
+                                                                                phi_3077_ = _e1711;
+                                                                                phi_3078_ = select(true, false, _e1708);
                                                                             } else {
                                                                                 phi_3077_ = f32();
                                                                                 phi_3078_ = true;
                                                                             }
-                                                                            let _e2173 = phi_3077_;
-                                                                            let _e2175 = phi_3078_;
-                                                                            if _e2175 {
-                                                                                let _e2183 = (((_e2031 * (_e2092 - (_e526 * _e2095))) + (_e2036 * (_e2093 - (_e592 * _e2095)))) / _e2065);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e2183) & 2147483647u)) <= _e1997) {
-                                                                                    phi_3098_ = (_e2095 + _e2183);
+                                                                            let _e1714 = phi_3077_;
+                                                                            let _e1716 = phi_3078_;
+                                                                            if _e1716 {
+                                                                                let _e1724 = (((_e1572 * (_e1633 - (_e526 * _e1636))) + (_e1577 * (_e1634 - (_e592 * _e1636)))) / _e1606);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1724) & 2147483647u)) <= _e1538) {
+                                                                                    phi_3098_ = (_e1636 + _e1724);
                                                                                 } else {
-                                                                                    phi_3098_ = _e2095;
+                                                                                    phi_3098_ = _e1636;
                                                                                 }
-                                                                                let _e2190 = phi_3098_;
-                                                                                phi_3099_ = _e2190;
+                                                                                let _e1731 = phi_3098_;
+                                                                                phi_3099_ = _e1731;
                                                                             } else {
-                                                                                phi_3099_ = _e2173;
+                                                                                phi_3099_ = _e1714;
                                                                             }
-                                                                            let _e2192 = phi_3099_;
-                                                                            let _e2194 = select(_e1930, _e2192, (_e2192 < _e1930));
-                                                                            let _e2196 = select(_e1922, _e2194, (_e2194 > _e1922));
-                                                                            if (_e2196 >= _e772) {
-                                                                                let _e2198 = (_e2196 <= _e1330.member);
-                                                                                if _e2198 {
-                                                                                    let _e2199 = (1f / _e1849);
-                                                                                    phi_3122_ = type_25(_e2196, (_e1843 * _e2199), (_e1847 * _e2199), _e1390);
+                                                                            let _e1733 = phi_3099_;
+                                                                            let _e1735 = select(_e1471, _e1733, (_e1733 < _e1471));
+                                                                            let _e1737 = select(_e1463, _e1735, (_e1735 > _e1463));
+                                                                            if (_e1737 >= _e772) {
+                                                                                let _e1739 = (_e1737 <= _e871.member);
+                                                                                if _e1739 {
+                                                                                    let _e1740 = (1f / _e1390);
+                                                                                    phi_3122_ = type_25(_e1737, (_e1384 * _e1740), (_e1388 * _e1740), _e931);
                                                                                 } else {
                                                                                     phi_3122_ = type_25();
                                                                                 }
-                                                                                let _e2204 = phi_3122_;
-                                                                                phi_3124_ = _e2204;
-                                                                                phi_3125_ = select(true, false, _e2198);
+                                                                                let _e1745 = phi_3122_;
+                                                                                phi_3124_ = _e1745;
+                                                                                phi_3125_ = select(true, false, _e1739);
                                                                             } else {
                                                                                 phi_3124_ = type_25();
                                                                                 phi_3125_ = true;
                                                                             }
-                                                                            let _e2207 = phi_3124_;
-                                                                            let _e2209 = phi_3125_;
-                                                                            if _e2209 {
+                                                                            let _e1748 = phi_3124_;
+                                                                            let _e1750 = phi_3125_;
+                                                                            if _e1750 {
                                                                                 phi_3129_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_3129_ = _e2207;
+                                                                                phi_3129_ = _e1748;
                                                                             }
-                                                                            let _e2211 = phi_3129_;
-                                                                            phi_3130_ = _e2211;
+                                                                            let _e1752 = phi_3129_;
+                                                                            phi_3130_ = _e1752;
                                                                         }
-                                                                        let _e2213 = phi_3130_;
-                                                                        phi_3131_ = _e2213;
-                                                                        phi_3132_ = _e1939;
+                                                                        let _e1754 = phi_3130_;
+                                                                        phi_3131_ = _e1754;
+                                                                        phi_3132_ = _e1480;
                                                                     }
-                                                                    let _e2215 = phi_3131_;
-                                                                    let _e2217 = phi_3132_;
-                                                                    phi_3136_ = _e2215;
-                                                                    phi_3137_ = _e2217;
+                                                                    let _e1756 = phi_3131_;
+                                                                    let _e1758 = phi_3132_;
+                                                                    phi_3136_ = _e1756;
+                                                                    phi_3137_ = _e1758;
                                                                 }
-                                                                let _e2219 = phi_3136_;
-                                                                let _e2221 = phi_3137_;
-                                                                phi_3138_ = _e2219;
-                                                                phi_3139_ = _e1874;
-                                                                phi_3140_ = _e2221;
+                                                                let _e1760 = phi_3136_;
+                                                                let _e1762 = phi_3137_;
+                                                                phi_3138_ = _e1760;
+                                                                phi_3139_ = _e1415;
+                                                                phi_3140_ = _e1762;
                                                             }
-                                                            let _e2223 = phi_3138_;
-                                                            let _e2225 = phi_3139_;
-                                                            let _e2227 = phi_3140_;
-                                                            phi_3141_ = _e2223;
-                                                            phi_3142_ = _e2225;
-                                                            phi_3143_ = _e2227;
+                                                            let _e1764 = phi_3138_;
+                                                            let _e1766 = phi_3139_;
+                                                            let _e1768 = phi_3140_;
+                                                            phi_3141_ = _e1764;
+                                                            phi_3142_ = _e1766;
+                                                            phi_3143_ = _e1768;
                                                         }
-                                                        let _e2229 = phi_3141_;
-                                                        let _e2231 = phi_3142_;
-                                                        let _e2233 = phi_3143_;
-                                                        phi_3151_ = _e2229;
-                                                        phi_3152_ = select(_e2233, true, _e2231);
+                                                        let _e1770 = phi_3141_;
+                                                        let _e1772 = phi_3142_;
+                                                        let _e1774 = phi_3143_;
+                                                        phi_3151_ = _e1770;
+                                                        phi_3152_ = select(_e1774, true, _e1772);
                                                     } else {
                                                         phi_3151_ = type_25();
                                                         phi_3152_ = true;
                                                     }
-                                                    let _e2236 = phi_3151_;
-                                                    let _e2238 = phi_3152_;
-                                                    if _e2238 {
+                                                    let _e1777 = phi_3151_;
+                                                    let _e1779 = phi_3152_;
+                                                    if _e1779 {
                                                         phi_3156_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_3156_ = _e2236;
+                                                        phi_3156_ = _e1777;
                                                     }
-                                                    let _e2240 = phi_3156_;
-                                                    if (_e2240.member_3 != 4294967295u) {
-                                                        if (_e1390 == _e174) {
+                                                    let _e1781 = phi_3156_;
+                                                    if (_e1781.member_3 != 4294967295u) {
+                                                        if (_e931 == _e174) {
                                                             phi_3491_ = false;
                                                         } else {
-                                                            let _e2244 = (_e1390 < arrayLength((&global_6.member)));
-                                                            if _e2244 {
-                                                                if _e2244 {
+                                                            let _e1785 = (_e931 < arrayLength((&global_6.member)));
+                                                            if _e1785 {
+                                                                if _e1785 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e2246 = global_6.member[_e1390];
-                                                                phi_3179_ = _e2246;
+                                                                let _e1787 = global_6.member[_e931];
+                                                                phi_3179_ = _e1787;
                                                             } else {
                                                                 phi_3179_ = 4294967295u;
                                                             }
-                                                            let _e2248 = phi_3179_;
-                                                            let _e2249 = (_e2248 < arrayLength((&global_7.member)));
-                                                            if _e2249 {
-                                                                if _e2249 {
+                                                            let _e1789 = phi_3179_;
+                                                            let _e1790 = (_e1789 < arrayLength((&global_7.member)));
+                                                            if _e1790 {
+                                                                if _e1790 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e2251 = global_7.member[_e2248];
-                                                                phi_3193_ = _e2251;
+                                                                let _e1792 = global_7.member[_e1789];
+                                                                phi_3193_ = _e1792;
                                                             } else {
                                                                 phi_3193_ = 0i;
                                                             }
-                                                            let _e2253 = phi_3193_;
-                                                            let _e2254 = (_e2253 == 0i);
-                                                            if _e2254 {
+                                                            let _e1794 = phi_3193_;
+                                                            let _e1795 = (_e1794 == 0i);
+                                                            if _e1795 {
                                                                 phi_3490_ = true;
                                                             } else {
                                                                 if _e463 {
-                                                                    phi_3216_ = vec3<f32>(_e1777[0][0], _e1777[0][1], _e1777[0][2]);
+                                                                    phi_3216_ = vec3<f32>(_e1318[0][0], _e1318[0][1], _e1318[0][2]);
                                                                 } else {
                                                                     if (_e439 == 1u) {
-                                                                        phi_3215_ = vec3<f32>(_e1777[0][2], _e1777[0][0], _e1777[0][1]);
+                                                                        phi_3215_ = vec3<f32>(_e1318[0][2], _e1318[0][0], _e1318[0][1]);
                                                                     } else {
-                                                                        phi_3215_ = vec3<f32>(_e1777[0][1], _e1777[0][2], _e1777[0][0]);
+                                                                        phi_3215_ = vec3<f32>(_e1318[0][1], _e1318[0][2], _e1318[0][0]);
                                                                     }
-                                                                    let _e2259 = phi_3215_;
-                                                                    phi_3216_ = _e2259;
+                                                                    let _e1800 = phi_3215_;
+                                                                    phi_3216_ = _e1800;
                                                                 }
-                                                                let _e2262 = phi_3216_;
+                                                                let _e1803 = phi_3216_;
                                                                 if _e463 {
-                                                                    phi_3235_ = vec3<f32>(_e1777[1][0], _e1777[1][1], _e1777[1][2]);
+                                                                    phi_3235_ = vec3<f32>(_e1318[1][0], _e1318[1][1], _e1318[1][2]);
                                                                 } else {
                                                                     if (_e439 == 1u) {
-                                                                        phi_3234_ = vec3<f32>(_e1777[1][2], _e1777[1][0], _e1777[1][1]);
+                                                                        phi_3234_ = vec3<f32>(_e1318[1][2], _e1318[1][0], _e1318[1][1]);
                                                                     } else {
-                                                                        phi_3234_ = vec3<f32>(_e1777[1][1], _e1777[1][2], _e1777[1][0]);
+                                                                        phi_3234_ = vec3<f32>(_e1318[1][1], _e1318[1][2], _e1318[1][0]);
                                                                     }
-                                                                    let _e2267 = phi_3234_;
-                                                                    phi_3235_ = _e2267;
+                                                                    let _e1808 = phi_3234_;
+                                                                    phi_3235_ = _e1808;
                                                                 }
-                                                                let _e2270 = phi_3235_;
+                                                                let _e1811 = phi_3235_;
                                                                 if _e463 {
-                                                                    phi_3254_ = vec3<f32>(_e1777[2][0], _e1777[2][1], _e1777[2][2]);
+                                                                    phi_3254_ = vec3<f32>(_e1318[2][0], _e1318[2][1], _e1318[2][2]);
                                                                 } else {
                                                                     if (_e439 == 1u) {
-                                                                        phi_3253_ = vec3<f32>(_e1777[2][2], _e1777[2][0], _e1777[2][1]);
+                                                                        phi_3253_ = vec3<f32>(_e1318[2][2], _e1318[2][0], _e1318[2][1]);
                                                                     } else {
-                                                                        phi_3253_ = vec3<f32>(_e1777[2][1], _e1777[2][2], _e1777[2][0]);
+                                                                        phi_3253_ = vec3<f32>(_e1318[2][1], _e1318[2][2], _e1318[2][0]);
                                                                     }
-                                                                    let _e2275 = phi_3253_;
-                                                                    phi_3254_ = _e2275;
+                                                                    let _e1816 = phi_3253_;
+                                                                    phi_3254_ = _e1816;
                                                                 }
-                                                                let _e2278 = phi_3254_;
-                                                                let _e2281 = (_e2270.x - _e2262.x);
-                                                                let _e2284 = (_e2270.y - _e2262.y);
-                                                                let _e2287 = (_e2270.z - _e2262.z);
-                                                                let _e2289 = (_e2278.x - _e2262.x);
-                                                                let _e2291 = (_e2278.y - _e2262.y);
-                                                                let _e2293 = (_e2278.z - _e2262.z);
+                                                                let _e1819 = phi_3254_;
+                                                                let _e1822 = (_e1811.x - _e1803.x);
+                                                                let _e1825 = (_e1811.y - _e1803.y);
+                                                                let _e1828 = (_e1811.z - _e1803.z);
+                                                                let _e1830 = (_e1819.x - _e1803.x);
+                                                                let _e1832 = (_e1819.y - _e1803.y);
+                                                                let _e1834 = (_e1819.z - _e1803.z);
                                                                 if (_e306.member_1 == 1u) {
-                                                                    phi_3290_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e2262);
+                                                                    phi_3290_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e1803);
                                                                 } else {
                                                                     phi_3290_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
                                                                 }
-                                                                let _e2308 = phi_3290_;
-                                                                let _e2314 = bitcast<f32>((bitcast<u32>((_e2281 * _e2291)) ^ _e306.member_3[0]));
-                                                                let _e2318 = bitcast<f32>((bitcast<u32>((_e2284 * _e2289)) ^ _e306.member_3[0]));
-                                                                let _e2322 = bitcast<f32>((bitcast<u32>((_e2284 * _e2293)) ^ _e306.member_3[0]));
-                                                                let _e2326 = bitcast<f32>((bitcast<u32>((_e2287 * _e2291)) ^ _e306.member_3[0]));
-                                                                let _e2330 = bitcast<f32>((bitcast<u32>((_e2287 * _e2289)) ^ _e306.member_3[0]));
-                                                                let _e2334 = bitcast<f32>((bitcast<u32>((_e2281 * _e2293)) ^ _e306.member_3[0]));
-                                                                let _e2335 = (_e2322 - _e2326);
-                                                                let _e2336 = (_e2330 - _e2334);
-                                                                let _e2337 = (_e2314 - _e2318);
-                                                                let _e2361 = (bitcast<f32>((bitcast<u32>(_e2322) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2326) & 2147483647u)));
-                                                                let _e2368 = (bitcast<f32>((bitcast<u32>(_e2330) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2334) & 2147483647u)));
-                                                                let _e2375 = (bitcast<f32>((bitcast<u32>(_e2314) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2318) & 2147483647u)));
+                                                                let _e1849 = phi_3290_;
+                                                                let _e1855 = bitcast<f32>((bitcast<u32>((_e1822 * _e1832)) ^ _e306.member_3[0]));
+                                                                let _e1859 = bitcast<f32>((bitcast<u32>((_e1825 * _e1830)) ^ _e306.member_3[0]));
+                                                                let _e1863 = bitcast<f32>((bitcast<u32>((_e1825 * _e1834)) ^ _e306.member_3[0]));
+                                                                let _e1867 = bitcast<f32>((bitcast<u32>((_e1828 * _e1832)) ^ _e306.member_3[0]));
+                                                                let _e1871 = bitcast<f32>((bitcast<u32>((_e1828 * _e1830)) ^ _e306.member_3[0]));
+                                                                let _e1875 = bitcast<f32>((bitcast<u32>((_e1822 * _e1834)) ^ _e306.member_3[0]));
+                                                                let _e1876 = (_e1863 - _e1867);
+                                                                let _e1877 = (_e1871 - _e1875);
+                                                                let _e1878 = (_e1855 - _e1859);
+                                                                let _e1902 = (bitcast<f32>((bitcast<u32>(_e1863) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1867) & 2147483647u)));
+                                                                let _e1909 = (bitcast<f32>((bitcast<u32>(_e1871) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1875) & 2147483647u)));
+                                                                let _e1916 = (bitcast<f32>((bitcast<u32>(_e1855) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1859) & 2147483647u)));
                                                                 if (_e306.member_2 == 0f) {
                                                                     phi_3472_ = 0f;
                                                                 } else {
-                                                                    let _e2405 = bitcast<f32>((bitcast<u32>(_e2335) & 2147483647u));
-                                                                    let _e2408 = bitcast<f32>((bitcast<u32>(_e2336) & 2147483647u));
-                                                                    let _e2411 = bitcast<f32>((bitcast<u32>(_e2337) & 2147483647u));
-                                                                    let _e2413 = select(_e2411, _e2408, (_e2408 > _e2411));
-                                                                    let _e2417 = select(_e2411, _e2408, (_e2408 < _e2411));
-                                                                    let _e2421 = select(_e2408, _e2405, (_e2405 < _e2408));
-                                                                    let _e2423 = select(_e2408, _e2405, (_e2405 > _e2408));
-                                                                    let _e2425 = select(_e2411, _e2423, (_e2423 < _e2411));
-                                                                    phi_3472_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2413, _e2405, (_e2405 > _e2413)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2425, _e2421, (_e2421 > _e2425)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2417, _e2405, (_e2405 < _e2417)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2361 + _e2368) + _e2375))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
+                                                                    let _e1946 = bitcast<f32>((bitcast<u32>(_e1876) & 2147483647u));
+                                                                    let _e1949 = bitcast<f32>((bitcast<u32>(_e1877) & 2147483647u));
+                                                                    let _e1952 = bitcast<f32>((bitcast<u32>(_e1878) & 2147483647u));
+                                                                    let _e1954 = select(_e1952, _e1949, (_e1949 > _e1952));
+                                                                    let _e1958 = select(_e1952, _e1949, (_e1949 < _e1952));
+                                                                    let _e1962 = select(_e1949, _e1946, (_e1946 < _e1949));
+                                                                    let _e1964 = select(_e1949, _e1946, (_e1946 > _e1949));
+                                                                    let _e1966 = select(_e1952, _e1964, (_e1964 < _e1952));
+                                                                    phi_3472_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1954, _e1946, (_e1946 > _e1954)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1966, _e1962, (_e1962 > _e1966)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1958, _e1946, (_e1946 < _e1958)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1902 + _e1909) + _e1916))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
                                                                 }
-                                                                let _e2452 = phi_3472_;
-                                                                phi_3490_ = (_e2254 || !(((((bitcast<f32>((bitcast<u32>((_e2308.x * _e2335)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2308.y * _e2336)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2308.z * _e2337)) ^ _e306.member_3[0]))) * f32(-(_e2253))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.x) & 2147483647u)) * _e2361)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.y) & 2147483647u)) * _e2368)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.z) & 2147483647u)) * _e2375)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e2452) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1993 = phi_3472_;
+                                                                phi_3490_ = (_e1795 || !(((((bitcast<f32>((bitcast<u32>((_e1849.x * _e1876)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1849.y * _e1877)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1849.z * _e1878)) ^ _e306.member_3[0]))) * f32(-(_e1794))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1849.x) & 2147483647u)) * _e1902)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1849.y) & 2147483647u)) * _e1909)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1849.z) & 2147483647u)) * _e1916)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e1993) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2466 = phi_3490_;
-                                                            phi_3491_ = _e2466;
+                                                            let _e2007 = phi_3490_;
+                                                            phi_3491_ = _e2007;
                                                         }
-                                                        let _e2468 = phi_3491_;
-                                                        if _e2468 {
-                                                            phi_3496_ = type_46(_e1330.member, true);
+                                                        let _e2009 = phi_3491_;
+                                                        if _e2009 {
+                                                            phi_3496_ = type_46(_e871.member, true);
                                                         } else {
-                                                            phi_3496_ = _e1330;
+                                                            phi_3496_ = _e871;
                                                         }
-                                                        let _e2473 = phi_3496_;
-                                                        phi_3497_ = _e2473;
+                                                        let _e2014 = phi_3496_;
+                                                        phi_3497_ = _e2014;
                                                     } else {
-                                                        phi_3497_ = _e1330;
+                                                        phi_3497_ = _e871;
                                                     }
-                                                    let _e2475 = phi_3497_;
-                                                    phi_1494_ = _e2475;
+                                                    let _e2016 = phi_3497_;
+                                                    phi_1494_ = _e2016;
                                                 } else {
                                                     phi_1494_ = type_46();
                                                 }
-                                                let _e2477 = phi_1494_;
+                                                let _e2018 = phi_1494_;
                                                 continue;
                                                 continuing {
-                                                    phi_1493_ = _e2477;
-                                                    phi_1496_ = _e1345;
-                                                    phi_5036_ = _e814;
-                                                    break if !(_e1351);
+                                                    phi_1493_ = _e2018;
+                                                    phi_1496_ = _e886;
+                                                    phi_5039_ = _e814;
+                                                    break if !(_e892);
                                                 }
                                             }
-                                            let _e2480 = phi_5036_;
-                                            phi_5275_ = _e2480;
-                                            if _e2480 {
+                                            let _e2021 = phi_5039_;
+                                            phi_5278_ = _e2021;
+                                            if _e2021 {
                                                 break;
                                             }
-                                            let _e2482 = local_10;
-                                            phi_5279_ = _e2480;
-                                            let _e2728 = local_12;
-                                            phi_4770_ = _e2728;
-                                            phi_4771_ = false;
-                                            phi_4772_ = select(_e857, 0u, _e2482.member_1);
-                                            phi_4773_ = _e859;
+                                            phi_5369_ = _e2021;
+                                            let _e2709 = local_11;
+                                            phi_3498_ = _e2709;
+                                        } else {
+                                            phi_5369_ = _e814;
+                                            phi_3498_ = _e816;
+                                        }
+                                        let _e2023 = phi_5369_;
+                                        let _e2025 = phi_3498_;
+                                        if _e863 {
+                                            phi_4763_ = bool();
+                                            phi_4764_ = u32();
+                                            phi_4765_ = type_58();
                                         } else {
                                             if (_e859.member_1 >= _e106) {
-                                                phi_4305_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                                phi_4299_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
                                                 if (_e859.member_1 < _e106) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e872 = ((1u + _e439) % 4u);
-                                                if (_e872 < 4u) {
+                                                let _e2029 = ((1u + _e439) % 4u);
+                                                if (_e2029 < 4u) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e877 = global_5.member[_e859.member_1][_e872];
-                                                let _e879 = (_e877 >> bitcast<u32>(11u));
-                                                let _e881 = ((1u + _e438) % 4u);
-                                                if (_e881 < 4u) {
+                                                let _e2034 = global_5.member[_e859.member_1][_e2029];
+                                                let _e2036 = (_e2034 >> bitcast<u32>(11u));
+                                                let _e2038 = ((1u + _e438) % 4u);
+                                                if (_e2038 < 4u) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e886 = global_5.member[_e859.member_1][_e881];
-                                                let _e888 = (_e886 >> bitcast<u32>(11u));
-                                                let _e890 = ((1u + _e440) % 4u);
-                                                if (_e890 < 4u) {
+                                                let _e2043 = global_5.member[_e859.member_1][_e2038];
+                                                let _e2045 = (_e2043 >> bitcast<u32>(11u));
+                                                let _e2047 = ((1u + _e440) % 4u);
+                                                if (_e2047 < 4u) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e895 = global_5.member[_e859.member_1][_e890];
-                                                let _e897 = (_e895 >> bitcast<u32>(11u));
-                                                let _e920 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.x - _e859.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e921 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.y - _e859.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e922 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.z - _e859.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e924 = select(_e165, _e920, (_e920 > _e165));
-                                                let _e926 = select(_e165, _e921, (_e921 > _e165));
-                                                let _e928 = select(_e165, _e922, (_e922 > _e165));
-                                                let _e959 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e877 & 1023u))) - 8388608f) * _e924));
-                                                let _e964 = (bitcast<i32>((_e877 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e967 = bitcast<f32>((_e959 & bitcast<u32>(_e964)));
-                                                let _e968 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e886 & 1023u))) - 8388608f) * _e926));
-                                                let _e973 = (bitcast<i32>((_e886 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e976 = bitcast<f32>((_e968 & bitcast<u32>(_e973)));
-                                                let _e977 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e895 & 1023u))) - 8388608f) * _e928));
-                                                let _e982 = (bitcast<i32>((_e895 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e985 = bitcast<f32>((_e977 & bitcast<u32>(_e982)));
-                                                let _e989 = bitcast<f32>((_e959 & bitcast<u32>(~(_e964))));
-                                                let _e993 = bitcast<f32>((_e968 & bitcast<u32>(~(_e973))));
-                                                let _e997 = bitcast<f32>((_e977 & bitcast<u32>(~(_e982))));
-                                                let _e998 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e879 & 1023u))) - 8388608f) * _e924));
-                                                let _e1003 = (bitcast<i32>((_e879 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1006 = bitcast<f32>((_e998 & bitcast<u32>(_e1003)));
-                                                let _e1007 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e888 & 1023u))) - 8388608f) * _e926));
-                                                let _e1012 = (bitcast<i32>((_e888 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1015 = bitcast<f32>((_e1007 & bitcast<u32>(_e1012)));
-                                                let _e1016 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e897 & 1023u))) - 8388608f) * _e928));
-                                                let _e1021 = (bitcast<i32>((_e897 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1024 = bitcast<f32>((_e1016 & bitcast<u32>(_e1021)));
-                                                let _e1028 = bitcast<f32>((_e998 & bitcast<u32>(~(_e1003))));
-                                                let _e1032 = bitcast<f32>((_e1007 & bitcast<u32>(~(_e1012))));
-                                                let _e1036 = bitcast<f32>((_e1016 & bitcast<u32>(~(_e1021))));
-                                                let _e1037 = (_e859.member.member.x + _e967);
-                                                let _e1038 = (_e859.member.member.y + _e976);
-                                                let _e1039 = (_e859.member.member.z + _e985);
-                                                let _e1042 = (_e859.member.member_1.x - _e1006);
-                                                let _e1043 = (_e859.member.member_1.y - _e1015);
-                                                let _e1044 = (_e859.member.member_1.z - _e1024);
-                                                let _e1063 = (_e1042 - _e1037);
-                                                let _e1064 = (_e1043 - _e1038);
-                                                let _e1065 = (_e1044 - _e1039);
-                                                let _e1067 = select(_e1064, _e1063, (_e1063 > _e1064));
-                                                let _e1069 = select(_e1065, _e1067, (_e1067 > _e1065));
-                                                if (_e1069 < (1024f * _e165)) {
-                                                    phi_4006_ = 0u;
+                                                let _e2052 = global_5.member[_e859.member_1][_e2047];
+                                                let _e2054 = (_e2052 >> bitcast<u32>(11u));
+                                                let _e2077 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.x - _e859.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e2078 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.y - _e859.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e2079 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.z - _e859.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e2081 = select(_e165, _e2077, (_e2077 > _e165));
+                                                let _e2083 = select(_e165, _e2078, (_e2078 > _e165));
+                                                let _e2085 = select(_e165, _e2079, (_e2079 > _e165));
+                                                let _e2116 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2034 & 1023u))) - 8388608f) * _e2081));
+                                                let _e2121 = (bitcast<i32>((_e2034 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2124 = bitcast<f32>((_e2116 & bitcast<u32>(_e2121)));
+                                                let _e2125 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2043 & 1023u))) - 8388608f) * _e2083));
+                                                let _e2130 = (bitcast<i32>((_e2043 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2133 = bitcast<f32>((_e2125 & bitcast<u32>(_e2130)));
+                                                let _e2134 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2052 & 1023u))) - 8388608f) * _e2085));
+                                                let _e2139 = (bitcast<i32>((_e2052 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2142 = bitcast<f32>((_e2134 & bitcast<u32>(_e2139)));
+                                                let _e2146 = bitcast<f32>((_e2116 & bitcast<u32>(~(_e2121))));
+                                                let _e2150 = bitcast<f32>((_e2125 & bitcast<u32>(~(_e2130))));
+                                                let _e2154 = bitcast<f32>((_e2134 & bitcast<u32>(~(_e2139))));
+                                                let _e2155 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2036 & 1023u))) - 8388608f) * _e2081));
+                                                let _e2160 = (bitcast<i32>((_e2036 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2163 = bitcast<f32>((_e2155 & bitcast<u32>(_e2160)));
+                                                let _e2164 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2045 & 1023u))) - 8388608f) * _e2083));
+                                                let _e2169 = (bitcast<i32>((_e2045 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2172 = bitcast<f32>((_e2164 & bitcast<u32>(_e2169)));
+                                                let _e2173 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2054 & 1023u))) - 8388608f) * _e2085));
+                                                let _e2178 = (bitcast<i32>((_e2054 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2181 = bitcast<f32>((_e2173 & bitcast<u32>(_e2178)));
+                                                let _e2185 = bitcast<f32>((_e2155 & bitcast<u32>(~(_e2160))));
+                                                let _e2189 = bitcast<f32>((_e2164 & bitcast<u32>(~(_e2169))));
+                                                let _e2193 = bitcast<f32>((_e2173 & bitcast<u32>(~(_e2178))));
+                                                let _e2194 = (_e859.member.member.x + _e2124);
+                                                let _e2195 = (_e859.member.member.y + _e2133);
+                                                let _e2196 = (_e859.member.member.z + _e2142);
+                                                let _e2199 = (_e859.member.member_1.x - _e2163);
+                                                let _e2200 = (_e859.member.member_1.y - _e2172);
+                                                let _e2201 = (_e859.member.member_1.z - _e2181);
+                                                let _e2220 = (_e2199 - _e2194);
+                                                let _e2221 = (_e2200 - _e2195);
+                                                let _e2222 = (_e2201 - _e2196);
+                                                let _e2224 = select(_e2221, _e2220, (_e2220 > _e2221));
+                                                let _e2226 = select(_e2222, _e2224, (_e2224 > _e2222));
+                                                if (_e2226 < (1024f * _e165)) {
+                                                    phi_4000_ = 0u;
                                                 } else {
-                                                    phi_4006_ = select(2u, 1u, (_e1069 < (2097152f * _e165)));
+                                                    phi_4000_ = select(2u, 1u, (_e2226 < (2097152f * _e165)));
                                                 }
-                                                let _e1076 = phi_4006_;
-                                                switch bitcast<i32>(_e1076) {
+                                                let _e2233 = phi_4000_;
+                                                switch bitcast<i32>(_e2233) {
                                                     case 0: {
-                                                        phi_4012_ = 1u;
+                                                        phi_4006_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_4012_ = 2u;
+                                                        phi_4006_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_4012_ = 3u;
+                                                        phi_4006_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_4012_ = u32();
+                                                        phi_4006_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1079 = phi_4012_;
-                                                let _e1085 = global_5.member[_e859.member_1][0u];
-                                                let _e1089 = global_5.member[_e859.member_1][1u];
-                                                let _e1093 = global_5.member[_e859.member_1][2u];
-                                                let _e1097 = global_5.member[_e859.member_1][3u];
-                                                let _e1109 = (((_e1089 >> bitcast<u32>(22i)) | ((_e1093 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1097 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e1110 = (_e1085 & 268435455u);
-                                                let _e1111 = (_e1109 & 268435455u);
-                                                let _e1114 = ((_e1085 >> bitcast<u32>(28u)) & 7u);
-                                                let _e1122 = ((_e1085 >> bitcast<u32>(31i)) | (((_e1109 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e1123 = (_e1114 != 0u);
-                                                if (_e1114 == 0u) {
-                                                    phi_4267_ = _e1110;
+                                                let _e2236 = phi_4006_;
+                                                let _e2242 = global_5.member[_e859.member_1][0u];
+                                                let _e2246 = global_5.member[_e859.member_1][1u];
+                                                let _e2250 = global_5.member[_e859.member_1][2u];
+                                                let _e2254 = global_5.member[_e859.member_1][3u];
+                                                let _e2266 = (((_e2246 >> bitcast<u32>(22i)) | ((_e2250 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2254 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e2267 = (_e2242 & 268435455u);
+                                                let _e2268 = (_e2266 & 268435455u);
+                                                let _e2271 = ((_e2242 >> bitcast<u32>(28u)) & 7u);
+                                                let _e2279 = ((_e2242 >> bitcast<u32>(31i)) | (((_e2266 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e2280 = (_e2271 != 0u);
+                                                if (_e2271 == 0u) {
+                                                    phi_4261_ = _e2267;
                                                 } else {
-                                                    if (_e1114 == 7u) {
-                                                        phi_4266_ = 2147483648u;
+                                                    if (_e2271 == 7u) {
+                                                        phi_4260_ = 2147483648u;
                                                     } else {
-                                                        phi_4266_ = ((2147483648u | (_e1114 << bitcast<u32>(28u))) | (_e1111 & 268435455u));
+                                                        phi_4260_ = ((2147483648u | (_e2271 << bitcast<u32>(28u))) | (_e2268 & 268435455u));
                                                     }
-                                                    let _e1132 = phi_4266_;
-                                                    phi_4267_ = _e1132;
+                                                    let _e2289 = phi_4260_;
+                                                    phi_4261_ = _e2289;
                                                 }
-                                                let _e1134 = phi_4267_;
-                                                if _e1123 {
-                                                    let _e1135 = (_e1114 != 7u);
-                                                    if _e1135 {
-                                                        phi_4277_ = (_e1111 + (_e1114 * ((3u * _e1079) + 1u)));
+                                                let _e2291 = phi_4261_;
+                                                if _e2280 {
+                                                    let _e2292 = (_e2271 != 7u);
+                                                    if _e2292 {
+                                                        phi_4271_ = (_e2268 + (_e2271 * ((3u * _e2236) + 1u)));
                                                     } else {
-                                                        phi_4277_ = u32();
+                                                        phi_4271_ = u32();
                                                     }
-                                                    let _e1139 = phi_4277_;
-                                                    phi_4279_ = _e1139;
-                                                    phi_4280_ = select(true, false, _e1135);
+                                                    let _e2296 = phi_4271_;
+                                                    phi_4273_ = _e2296;
+                                                    phi_4274_ = select(true, false, _e2292);
                                                 } else {
-                                                    phi_4279_ = u32();
-                                                    phi_4280_ = true;
+                                                    phi_4273_ = u32();
+                                                    phi_4274_ = true;
                                                 }
-                                                let _e1142 = phi_4279_;
-                                                let _e1144 = phi_4280_;
-                                                if (_e1122 == 0u) {
-                                                    phi_4301_ = (_e1110 + select(0u, 1u, !(_e1123)));
+                                                let _e2299 = phi_4273_;
+                                                let _e2301 = phi_4274_;
+                                                if (_e2279 == 0u) {
+                                                    phi_4295_ = (_e2267 + select(0u, 1u, !(_e2280)));
                                                 } else {
-                                                    if (_e1122 == 7u) {
-                                                        phi_4300_ = 2147483648u;
+                                                    if (_e2279 == 7u) {
+                                                        phi_4294_ = 2147483648u;
                                                     } else {
-                                                        phi_4300_ = ((2147483648u | (_e1122 << bitcast<u32>(28u))) | (select(_e1142, _e1111, _e1144) & 268435455u));
+                                                        phi_4294_ = ((2147483648u | (_e2279 << bitcast<u32>(28u))) | (select(_e2299, _e2268, _e2301) & 268435455u));
                                                     }
-                                                    let _e1157 = phi_4300_;
-                                                    phi_4301_ = _e1157;
+                                                    let _e2314 = phi_4294_;
+                                                    phi_4295_ = _e2314;
                                                 }
-                                                let _e1159 = phi_4301_;
-                                                phi_4305_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e1037, (_e859.member.member.x + _e989), _e1042, (_e859.member.member_1.x - _e1028)), vec4<f32>(_e1038, (_e859.member.member.y + _e993), _e1043, (_e859.member.member_1.y - _e1032)), vec4<f32>(_e1039, (_e859.member.member.z + _e997), _e1044, (_e859.member.member_1.z - _e1036))), type_58(type_34((_e859.member.member + vec4<f32>(_e967, _e976, _e985, 0f)), (_e859.member.member_1 - vec4<f32>(_e1006, _e1015, _e1024, 0f))), _e1134), type_58(type_34((_e859.member.member + vec4<f32>(_e989, _e993, _e997, 0f)), (_e859.member.member_1 - vec4<f32>(_e1028, _e1032, _e1036, 0f))), _e1159));
+                                                let _e2316 = phi_4295_;
+                                                phi_4299_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e2194, (_e859.member.member.x + _e2146), _e2199, (_e859.member.member_1.x - _e2185)), vec4<f32>(_e2195, (_e859.member.member.y + _e2150), _e2200, (_e859.member.member_1.y - _e2189)), vec4<f32>(_e2196, (_e859.member.member.z + _e2154), _e2201, (_e859.member.member_1.z - _e2193))), type_58(type_34((_e859.member.member + vec4<f32>(_e2124, _e2133, _e2142, 0f)), (_e859.member.member_1 - vec4<f32>(_e2163, _e2172, _e2181, 0f))), _e2291), type_58(type_34((_e859.member.member + vec4<f32>(_e2146, _e2150, _e2154, 0f)), (_e859.member.member_1 - vec4<f32>(_e2185, _e2189, _e2193, 0f))), _e2316));
                                             }
-                                            let _e1164 = phi_4305_;
-                                            let _e1176 = ((_e1164.member[0].x - _e524) * _e529);
-                                            let _e1177 = ((_e1164.member[0].y - _e524) * _e529);
-                                            let _e1178 = ((_e1164.member[0].z - _e525) * _e529);
-                                            let _e1179 = ((_e1164.member[0].w - _e525) * _e529);
-                                            let _e1189 = ((_e1164.member[1].x - _e590) * _e595);
-                                            let _e1190 = ((_e1164.member[1].y - _e590) * _e595);
-                                            let _e1191 = ((_e1164.member[1].z - _e591) * _e595);
-                                            let _e1192 = ((_e1164.member[1].w - _e591) * _e595);
-                                            let _e1202 = ((_e1164.member[2].x - _e656) * _e661);
-                                            let _e1203 = ((_e1164.member[2].y - _e656) * _e661);
-                                            let _e1204 = ((_e1164.member[2].z - _e657) * _e661);
-                                            let _e1205 = ((_e1164.member[2].w - _e657) * _e661);
-                                            let _e1207 = select(_e1204, _e1202, (_e1202 < _e1204));
-                                            let _e1209 = select(_e1205, _e1203, (_e1203 < _e1205));
-                                            let _e1211 = select(_e1204, _e1202, (_e1202 > _e1204));
-                                            let _e1213 = select(_e1205, _e1203, (_e1203 > _e1205));
-                                            let _e1215 = select(_e1178, _e1176, (_e1176 < _e1178));
-                                            let _e1217 = select(_e1179, _e1177, (_e1177 < _e1179));
-                                            let _e1219 = select(_e1191, _e1189, (_e1189 < _e1191));
-                                            let _e1221 = select(_e1192, _e1190, (_e1190 < _e1192));
-                                            let _e1223 = select(_e1219, _e1215, (_e1215 > _e1219));
-                                            let _e1225 = select(_e1221, _e1217, (_e1217 > _e1221));
-                                            let _e1227 = select(_e1207, _e1223, (_e1223 > _e1207));
-                                            let _e1229 = select(_e1209, _e1225, (_e1225 > _e1209));
-                                            let _e1231 = select(_e1178, _e1176, (_e1176 > _e1178));
-                                            let _e1233 = select(_e1179, _e1177, (_e1177 > _e1179));
-                                            let _e1235 = select(_e1191, _e1189, (_e1189 > _e1191));
-                                            let _e1237 = select(_e1192, _e1190, (_e1190 > _e1192));
-                                            let _e1239 = select(_e1235, _e1231, (_e1231 < _e1235));
-                                            let _e1241 = select(_e1237, _e1233, (_e1233 < _e1237));
-                                            let _e1246 = -(_e1207);
-                                            let _e1247 = -(_e1209);
-                                            let _e1254 = (select(_e1211, _e1239, (_e1239 < _e1211)) + (select(_e1246, _e1211, (_e1211 > _e1246)) * 0.0000019073523f));
-                                            let _e1255 = (select(_e1213, _e1241, (_e1241 < _e1213)) + (select(_e1247, _e1213, (_e1213 > _e1247)) * 0.0000019073523f));
-                                            let _e1257 = select(_e772, _e1227, (_e1227 > _e772));
-                                            let _e1259 = select(_e772, _e1229, (_e1229 > _e772));
-                                            let _e1264 = (_e1257 <= select(_e816.member, _e1254, (_e1254 < _e816.member)));
-                                            let _e1265 = (_e1259 <= select(_e816.member, _e1255, (_e1255 < _e816.member)));
-                                            let _e1266 = (_e1257 <= _e1259);
-                                            if _e1264 {
-                                                if _e1265 {
-                                                    if _e1266 {
-                                                        phi_4667_ = _e1164.member_2;
+                                            let _e2321 = phi_4299_;
+                                            let _e2333 = ((_e2321.member[0].x - _e524) * _e529);
+                                            let _e2334 = ((_e2321.member[0].y - _e524) * _e529);
+                                            let _e2335 = ((_e2321.member[0].z - _e525) * _e529);
+                                            let _e2336 = ((_e2321.member[0].w - _e525) * _e529);
+                                            let _e2346 = ((_e2321.member[1].x - _e590) * _e595);
+                                            let _e2347 = ((_e2321.member[1].y - _e590) * _e595);
+                                            let _e2348 = ((_e2321.member[1].z - _e591) * _e595);
+                                            let _e2349 = ((_e2321.member[1].w - _e591) * _e595);
+                                            let _e2359 = ((_e2321.member[2].x - _e656) * _e661);
+                                            let _e2360 = ((_e2321.member[2].y - _e656) * _e661);
+                                            let _e2361 = ((_e2321.member[2].z - _e657) * _e661);
+                                            let _e2362 = ((_e2321.member[2].w - _e657) * _e661);
+                                            let _e2364 = select(_e2361, _e2359, (_e2359 < _e2361));
+                                            let _e2366 = select(_e2362, _e2360, (_e2360 < _e2362));
+                                            let _e2368 = select(_e2361, _e2359, (_e2359 > _e2361));
+                                            let _e2370 = select(_e2362, _e2360, (_e2360 > _e2362));
+                                            let _e2372 = select(_e2335, _e2333, (_e2333 < _e2335));
+                                            let _e2374 = select(_e2336, _e2334, (_e2334 < _e2336));
+                                            let _e2376 = select(_e2348, _e2346, (_e2346 < _e2348));
+                                            let _e2378 = select(_e2349, _e2347, (_e2347 < _e2349));
+                                            let _e2380 = select(_e2376, _e2372, (_e2372 > _e2376));
+                                            let _e2382 = select(_e2378, _e2374, (_e2374 > _e2378));
+                                            let _e2384 = select(_e2364, _e2380, (_e2380 > _e2364));
+                                            let _e2386 = select(_e2366, _e2382, (_e2382 > _e2366));
+                                            let _e2388 = select(_e2335, _e2333, (_e2333 > _e2335));
+                                            let _e2390 = select(_e2336, _e2334, (_e2334 > _e2336));
+                                            let _e2392 = select(_e2348, _e2346, (_e2346 > _e2348));
+                                            let _e2394 = select(_e2349, _e2347, (_e2347 > _e2349));
+                                            let _e2396 = select(_e2392, _e2388, (_e2388 < _e2392));
+                                            let _e2398 = select(_e2394, _e2390, (_e2390 < _e2394));
+                                            let _e2403 = -(_e2364);
+                                            let _e2404 = -(_e2366);
+                                            let _e2411 = (select(_e2368, _e2396, (_e2396 < _e2368)) + (select(_e2403, _e2368, (_e2368 > _e2403)) * 0.0000019073523f));
+                                            let _e2412 = (select(_e2370, _e2398, (_e2398 < _e2370)) + (select(_e2404, _e2370, (_e2370 > _e2404)) * 0.0000019073523f));
+                                            let _e2414 = select(_e772, _e2384, (_e2384 > _e772));
+                                            let _e2416 = select(_e772, _e2386, (_e2386 > _e772));
+                                            let _e2421 = (_e2414 <= select(_e2025.member, _e2411, (_e2411 < _e2025.member)));
+                                            let _e2422 = (_e2416 <= select(_e2025.member, _e2412, (_e2412 < _e2025.member)));
+                                            let _e2423 = (_e2414 <= _e2416);
+                                            if _e2421 {
+                                                if _e2422 {
+                                                    if _e2423 {
+                                                        phi_4661_ = _e2321.member_2;
                                                     } else {
-                                                        phi_4667_ = _e1164.member_1;
+                                                        phi_4661_ = _e2321.member_1;
                                                     }
-                                                    let _e1270 = phi_4667_;
-                                                    let _e1292 = (_e857 % 128u);
-                                                    let _e1293 = (_e1292 < 128u);
-                                                    if _e1293 {
+                                                    let _e2427 = phi_4661_;
+                                                    let _e2448 = (_e857 % 128u);
+                                                    let _e2449 = (_e2448 < 128u);
+                                                    if _e2449 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1292] = _e1270.member_1;
-                                                    if _e1293 {
+                                                    local_8[_e2448] = _e2427.member_1;
+                                                    if _e2449 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1292] = _e1270.member.member.x;
-                                                    if _e1293 {
+                                                    local_7[_e2448] = _e2427.member.member.x;
+                                                    if _e2449 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1292] = _e1270.member.member.y;
-                                                    if _e1293 {
+                                                    local_6[_e2448] = _e2427.member.member.y;
+                                                    if _e2449 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1292] = _e1270.member.member.z;
-                                                    if _e1293 {
+                                                    local_5[_e2448] = _e2427.member.member.z;
+                                                    if _e2449 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1292] = _e1270.member.member_1.x;
-                                                    if _e1293 {
+                                                    local_4[_e2448] = _e2427.member.member_1.x;
+                                                    if _e2449 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1292] = _e1270.member.member_1.y;
-                                                    if _e1293 {
+                                                    local_3[_e2448] = _e2427.member.member_1.y;
+                                                    if _e2449 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1292] = _e1270.member.member_1.z;
-                                                    if _e1293 {
+                                                    local_2[_e2448] = _e2427.member.member_1.z;
+                                                    if _e2449 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1292] = select(_e1259, _e1257, !(_e1266));
-                                                    if _e1266 {
-                                                        phi_4744_ = _e1164.member_1;
+                                                    local_9[_e2448] = select(_e2414, _e2416, _e2423);
+                                                    if _e2423 {
+                                                        phi_4737_ = _e2321.member_1;
                                                     } else {
-                                                        phi_4744_ = _e1164.member_2;
+                                                        phi_4737_ = _e2321.member_2;
                                                     }
-                                                    let _e1306 = phi_4744_;
-                                                    phi_4745_ = (_e857 + 1u);
-                                                    phi_4746_ = _e1306;
+                                                    let _e2462 = phi_4737_;
+                                                    phi_4738_ = (_e857 + 1u);
+                                                    phi_4739_ = _e2462;
                                                 } else {
-                                                    phi_4745_ = u32();
-                                                    phi_4746_ = type_58();
+                                                    phi_4738_ = u32();
+                                                    phi_4739_ = type_58();
                                                 }
-                                                let _e1308 = phi_4745_;
-                                                let _e1310 = phi_4746_;
-                                                phi_4748_ = _e1308;
-                                                phi_4749_ = _e1310;
-                                                phi_4750_ = select(true, false, _e1265);
+                                                let _e2464 = phi_4738_;
+                                                let _e2466 = phi_4739_;
+                                                phi_4741_ = _e2464;
+                                                phi_4742_ = _e2466;
+                                                phi_4743_ = select(true, false, _e2422);
                                             } else {
-                                                phi_4748_ = u32();
-                                                phi_4749_ = type_58();
-                                                phi_4750_ = true;
+                                                phi_4741_ = u32();
+                                                phi_4742_ = type_58();
+                                                phi_4743_ = true;
                                             }
-                                            let _e1313 = phi_4748_;
-                                            let _e1315 = phi_4749_;
-                                            let _e1317 = phi_4750_;
-                                            if _e1317 {
-                                                if _e1264 {
-                                                    phi_4759_ = _e1164.member_1;
+                                            let _e2469 = phi_4741_;
+                                            let _e2471 = phi_4742_;
+                                            let _e2473 = phi_4743_;
+                                            if _e2473 {
+                                                if _e2421 {
+                                                    phi_4752_ = _e2321.member_1;
                                                 } else {
-                                                    phi_4759_ = _e1164.member_2;
+                                                    phi_4752_ = _e2321.member_2;
                                                 }
-                                                let _e1321 = phi_4759_;
-                                                phi_4764_ = select(_e1265, true, _e1264);
-                                                phi_4766_ = _e1321;
+                                                let _e2477 = phi_4752_;
+                                                phi_4757_ = select(_e2422, true, _e2421);
+                                                phi_4759_ = _e2477;
                                             } else {
-                                                phi_4764_ = _e855;
-                                                phi_4766_ = _e1315;
+                                                phi_4757_ = _e855;
+                                                phi_4759_ = _e2471;
                                             }
-                                            let _e1324 = phi_4764_;
-                                            let _e1326 = phi_4766_;
-                                            phi_5279_ = _e814;
-                                            phi_4770_ = _e816;
-                                            phi_4771_ = _e1324;
-                                            phi_4772_ = select(_e1313, _e857, _e1317);
-                                            phi_4773_ = _e1326;
+                                            let _e2480 = phi_4757_;
+                                            let _e2482 = phi_4759_;
+                                            phi_4763_ = _e2480;
+                                            phi_4764_ = select(_e2469, _e857, _e2473);
+                                            phi_4765_ = _e2482;
                                         }
-                                        let _e2486 = phi_5279_;
-                                        let _e2488 = phi_4770_;
-                                        let _e2490 = phi_4771_;
-                                        let _e2492 = phi_4772_;
-                                        let _e2494 = phi_4773_;
-                                        phi_5278_ = _e2486;
-                                        phi_4774_ = _e2488;
-                                        phi_4775_ = _e2490;
-                                        phi_4776_ = (_e820 - 1u);
-                                        phi_4777_ = _e2492;
-                                        phi_4778_ = _e2494;
+                                        let _e2485 = phi_4763_;
+                                        let _e2487 = phi_4764_;
+                                        let _e2489 = phi_4765_;
+                                        if _e863 {
+                                            phi_4775_ = select(_e857, 0u, _e2025.member_1);
+                                            phi_4776_ = _e859;
+                                        } else {
+                                            phi_4775_ = _e2487;
+                                            phi_4776_ = _e2489;
+                                        }
+                                        let _e2493 = phi_4775_;
+                                        let _e2495 = phi_4776_;
+                                        phi_5281_ = _e2023;
+                                        phi_4777_ = _e2025;
+                                        phi_4778_ = (_e818 - 1u);
+                                        phi_4779_ = select(_e2485, false, _e863);
+                                        phi_4780_ = _e2493;
+                                        phi_4781_ = _e2495;
                                     } else {
-                                        phi_5278_ = _e814;
-                                        phi_4774_ = _e816;
-                                        phi_4775_ = _e855;
-                                        phi_4776_ = _e820;
-                                        phi_4777_ = _e857;
-                                        phi_4778_ = _e859;
+                                        phi_5281_ = _e814;
+                                        phi_4777_ = _e816;
+                                        phi_4778_ = _e818;
+                                        phi_4779_ = _e855;
+                                        phi_4780_ = _e857;
+                                        phi_4781_ = _e859;
                                     }
-                                    let _e2496 = phi_5278_;
-                                    let _e2498 = phi_4774_;
-                                    let _e2500 = phi_4775_;
-                                    let _e2502 = phi_4776_;
-                                    let _e2504 = phi_4777_;
-                                    let _e2506 = phi_4778_;
-                                    phi_5277_ = _e2496;
-                                    phi_4779_ = _e2498;
-                                    phi_4780_ = _e2500;
-                                    phi_4781_ = _e2502;
-                                    phi_4782_ = _e2504;
-                                    phi_4783_ = _e2506;
+                                    let _e2498 = phi_5281_;
+                                    let _e2500 = phi_4777_;
+                                    let _e2502 = phi_4778_;
+                                    let _e2504 = phi_4779_;
+                                    let _e2506 = phi_4780_;
+                                    let _e2508 = phi_4781_;
+                                    phi_5280_ = _e2498;
+                                    phi_4782_ = _e2500;
+                                    phi_4783_ = _e2502;
+                                    phi_4784_ = _e2504;
+                                    phi_4785_ = _e2506;
+                                    phi_4786_ = _e2508;
                                 } else {
-                                    phi_5277_ = _e814;
-                                    phi_4779_ = type_46();
-                                    phi_4780_ = bool();
-                                    phi_4781_ = u32();
-                                    phi_4782_ = u32();
-                                    phi_4783_ = type_58();
+                                    phi_5280_ = _e814;
+                                    phi_4782_ = type_46();
+                                    phi_4783_ = u32();
+                                    phi_4784_ = bool();
+                                    phi_4785_ = u32();
+                                    phi_4786_ = type_58();
                                 }
-                                let _e2508 = phi_5277_;
-                                let _e2510 = phi_4779_;
-                                let _e2512 = phi_4780_;
-                                let _e2514 = phi_4781_;
-                                let _e2516 = phi_4782_;
-                                let _e2518 = phi_4783_;
-                                phi_5276_ = _e2508;
-                                phi_1367_ = _e2510;
-                                phi_1370_ = _e2512;
-                                phi_1372_ = _e2514;
-                                phi_1374_ = _e2516;
-                                phi_1376_ = _e2518;
-                                phi_4784_ = _e828;
+                                let _e2510 = phi_5280_;
+                                let _e2512 = phi_4782_;
+                                let _e2514 = phi_4783_;
+                                let _e2516 = phi_4784_;
+                                let _e2518 = phi_4785_;
+                                let _e2520 = phi_4786_;
+                                phi_5279_ = _e2510;
+                                phi_1367_ = _e2512;
+                                phi_1370_ = _e2514;
+                                phi_1372_ = _e2516;
+                                phi_1374_ = _e2518;
+                                phi_1376_ = _e2520;
+                                phi_4787_ = _e828;
                             } else {
-                                phi_5276_ = _e814;
+                                phi_5279_ = _e814;
                                 phi_1367_ = type_46();
-                                phi_1370_ = bool();
-                                phi_1372_ = u32();
+                                phi_1370_ = u32();
+                                phi_1372_ = bool();
                                 phi_1374_ = u32();
                                 phi_1376_ = type_58();
-                                phi_4784_ = false;
+                                phi_4787_ = false;
                             }
-                            let _e2520 = phi_5276_;
-                            let _e2522 = phi_1367_;
-                            let _e2524 = phi_1370_;
-                            let _e2526 = phi_1372_;
-                            let _e2528 = phi_1374_;
-                            let _e2530 = phi_1376_;
-                            let _e2532 = phi_4784_;
+                            let _e2522 = phi_5279_;
+                            let _e2524 = phi_1367_;
+                            let _e2526 = phi_1370_;
+                            let _e2528 = phi_1372_;
+                            let _e2530 = phi_1374_;
+                            let _e2532 = phi_1376_;
+                            let _e2534 = phi_4787_;
                             continue;
                             continuing {
-                                phi_5042_ = _e2520;
-                                phi_1366_ = _e2522;
-                                phi_1369_ = _e2524;
-                                phi_1371_ = _e2526;
-                                phi_1373_ = _e2528;
-                                phi_1375_ = _e2530;
-                                phi_5275_ = _e2520;
-                                break if !(_e2532);
+                                phi_5045_ = _e2522;
+                                phi_1366_ = _e2524;
+                                phi_1369_ = _e2526;
+                                phi_1371_ = _e2528;
+                                phi_1373_ = _e2530;
+                                phi_1375_ = _e2532;
+                                phi_5278_ = _e2522;
+                                break if !(_e2534);
                             }
                         }
-                        let _e2535 = phi_5275_;
-                        if _e2535 {
+                        let _e2537 = phi_5278_;
+                        if _e2537 {
                             break;
                         }
-                        let _e2537 = local_11;
-                        if _e2537.member_1 {
+                        let _e2539 = local_10;
+                        if _e2539.member_1 {
                         } else {
                             if _e307 {
                             } else {
                                 break;
                             }
-                            let _e2541 = global_2.member[_e153];
+                            let _e2543 = global_2.member[_e153];
                             if _e168 {
                             } else {
                                 break;
                             }
-                            let _e2545 = global_9.member[_e153].member_1;
+                            let _e2547 = global_9.member[_e153].member_1;
                             if _e307 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e153] = type_27(_e2541.member, _e2541.member_1, _e2541.member_2, array<f32, 3>((_e2541.member_3[0] + (_e2545[0] * _e2541.member_1[0])), (_e2541.member_3[1] + (_e2545[1] * _e2541.member_1[1])), (_e2541.member_3[2] + (_e2545[2] * _e2541.member_1[2]))), _e2541.member_4);
+                            global_2.member[_e153] = type_27(_e2543.member, _e2543.member_1, _e2543.member_2, array<f32, 3>((_e2543.member_3[0] + (_e2547[0] * _e2543.member_1[0])), (_e2543.member_3[1] + (_e2547[1] * _e2543.member_1[1])), (_e2543.member_3[2] + (_e2547[2] * _e2543.member_1[2]))), _e2543.member_4);
                         }
                     }
                 }

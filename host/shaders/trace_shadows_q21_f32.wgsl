@@ -170,34 +170,16 @@ fn function_() {
     var phi_1254_: u32;
     var phi_1262_: f32;
     var phi_1263_: f32;
-    var phi_4374_: bool;
+    var phi_4377_: bool;
     var phi_1359_: type_47;
-    var phi_1362_: bool;
-    var phi_1364_: u32;
+    var phi_1362_: u32;
+    var phi_1364_: bool;
     var phi_1366_: u32;
     var phi_1368_: type_63;
     var phi_1379_: bool;
     var phi_1465_: bool;
     var phi_1466_: u32;
     var phi_1467_: type_63;
-    var phi_3598_: u32;
-    var phi_3599_: u32;
-    var phi_3609_: u32;
-    var phi_3611_: u32;
-    var phi_3612_: bool;
-    var phi_3632_: u32;
-    var phi_3633_: u32;
-    var phi_3637_: type_64;
-    var phi_3999_: type_63;
-    var phi_4076_: type_63;
-    var phi_4077_: u32;
-    var phi_4078_: type_63;
-    var phi_4080_: u32;
-    var phi_4081_: type_63;
-    var phi_4082_: bool;
-    var phi_4091_: type_63;
-    var phi_4096_: bool;
-    var phi_4098_: type_63;
     var phi_1485_: type_47;
     var phi_1488_: type_8;
     var phi_1489_: type_8;
@@ -254,35 +236,54 @@ fn function_() {
     var phi_2863_: type_47;
     var phi_2864_: type_47;
     var phi_1486_: type_47;
-    var phi_4368_: bool;
-    var local_10: type_47;
+    var phi_4371_: bool;
+    var phi_4649_: bool;
+    var phi_2865_: type_47;
+    var phi_3592_: u32;
+    var phi_3593_: u32;
+    var phi_3603_: u32;
+    var phi_3605_: u32;
+    var phi_3606_: bool;
+    var phi_3626_: u32;
+    var phi_3627_: u32;
+    var phi_3631_: type_64;
+    var phi_3993_: type_63;
+    var phi_4069_: type_63;
+    var phi_4070_: u32;
+    var phi_4071_: type_63;
+    var phi_4073_: u32;
+    var phi_4074_: type_63;
+    var phi_4075_: bool;
+    var phi_4084_: type_63;
+    var phi_4089_: bool;
+    var phi_4091_: type_63;
+    var phi_4095_: bool;
+    var phi_4096_: u32;
+    var phi_4097_: type_63;
+    var phi_4107_: u32;
+    var phi_4108_: type_63;
+    var phi_4566_: bool;
+    var phi_4109_: type_47;
+    var phi_4110_: u32;
+    var phi_4111_: bool;
+    var phi_4112_: u32;
+    var phi_4113_: type_63;
+    var phi_4565_: bool;
+    var phi_4114_: type_47;
+    var phi_4115_: u32;
+    var phi_4116_: bool;
+    var phi_4117_: u32;
+    var phi_4118_: type_63;
     var phi_4564_: bool;
-    var phi_4102_: type_47;
-    var phi_4103_: bool;
-    var phi_4104_: u32;
-    var phi_4105_: type_63;
-    var phi_4563_: bool;
-    var phi_4106_: type_47;
-    var phi_4107_: bool;
-    var phi_4108_: u32;
-    var phi_4109_: u32;
-    var phi_4110_: type_63;
-    var phi_4562_: bool;
-    var phi_4111_: type_47;
-    var phi_4112_: bool;
-    var phi_4113_: u32;
-    var phi_4114_: u32;
-    var phi_4115_: type_63;
-    var phi_4561_: bool;
     var phi_1360_: type_47;
-    var phi_1363_: bool;
-    var phi_1365_: u32;
+    var phi_1363_: u32;
+    var phi_1365_: bool;
     var phi_1367_: u32;
     var phi_1369_: type_63;
-    var phi_4116_: bool;
-    var phi_4560_: bool;
+    var phi_4119_: bool;
+    var phi_4563_: bool;
+    var local_10: type_47;
     var local_11: type_47;
-    var local_12: type_47;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -704,31 +705,31 @@ fn function_() {
                             break;
                         }
                         let _e796 = local[_e780];
-                        phi_4374_ = false;
+                        phi_4377_ = false;
                         phi_1359_ = type_47(_e762, false);
-                        phi_1362_ = (_e764 <= _e762);
-                        phi_1364_ = ((3u * _e99) + 1u);
+                        phi_1362_ = ((3u * _e99) + 1u);
+                        phi_1364_ = (_e764 <= _e762);
                         phi_1366_ = 0u;
                         phi_1368_ = type_63(type_35(vec4<f32>((f32(_e771) * _e157), (f32(_e777) * _e157), (f32(_e783) * _e157), 0f), vec4<f32>((f32(_e788) * _e157), (f32(_e792) * _e157), (f32(_e796) * _e157), 0f)), select(0u, 2147483648u, (_e99 == 0u)));
                         loop {
-                            let _e806 = phi_4374_;
+                            let _e806 = phi_4377_;
                             let _e808 = phi_1359_;
                             let _e810 = phi_1362_;
                             let _e812 = phi_1364_;
                             let _e814 = phi_1366_;
                             let _e816 = phi_1368_;
-                            local_11 = _e808;
-                            if _e810 {
+                            local_10 = _e808;
+                            if _e812 {
                                 phi_1379_ = true;
                             } else {
                                 phi_1379_ = (_e814 > 0u);
                             }
                             let _e819 = phi_1379_;
                             if _e819 {
-                                let _e820 = (_e812 > 0u);
+                                let _e820 = (_e810 > 0u);
                                 if _e820 {
-                                    if _e810 {
-                                        phi_1465_ = _e810;
+                                    if _e812 {
+                                        phi_1465_ = _e812;
                                         phi_1466_ = _e814;
                                         phi_1467_ = _e816;
                                     } else {
@@ -737,49 +738,49 @@ fn function_() {
                                         let _e823 = (_e822 < 128u);
                                         if _e823 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e825 = local_7[_e822];
                                         if _e823 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e827 = local_6[_e822];
                                         if _e823 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e829 = local_5[_e822];
                                         if _e823 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e831 = local_4[_e822];
                                         if _e823 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e833 = local_3[_e822];
                                         if _e823 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e835 = local_2[_e822];
                                         if _e823 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e840 = local_8[_e822];
                                         if _e823 {
                                         } else {
-                                            phi_4560_ = true;
+                                            phi_4563_ = true;
                                             break;
                                         }
                                         let _e843 = local_9[_e822];
@@ -791,928 +792,939 @@ fn function_() {
                                     let _e849 = phi_1466_;
                                     let _e851 = phi_1467_;
                                     if _e847 {
-                                        if ((_e851.member_1 & 2147483648u) != 0u) {
+                                        let _e855 = ((_e851.member_1 & 2147483648u) != 0u);
+                                        if _e855 {
                                             phi_1485_ = _e808;
                                             phi_1488_ = type_8(0u, ((_e851.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1319 = phi_1485_;
-                                                let _e1321 = phi_1488_;
-                                                local_10 = _e1319;
-                                                local_12 = _e1319;
-                                                if (_e1321.member < _e1321.member_1) {
-                                                    phi_1489_ = type_8((_e1321.member + 1u), _e1321.member_1);
-                                                    phi_1511_ = type_8(1u, _e1321.member);
+                                                let _e862 = phi_1485_;
+                                                let _e864 = phi_1488_;
+                                                local_11 = _e862;
+                                                if (_e864.member < _e864.member_1) {
+                                                    phi_1489_ = type_8((_e864.member + 1u), _e864.member_1);
+                                                    phi_1511_ = type_8(1u, _e864.member);
                                                 } else {
-                                                    phi_1489_ = _e1321;
+                                                    phi_1489_ = _e864;
                                                     phi_1511_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1334 = phi_1489_;
-                                                let _e1336 = phi_1511_;
-                                                let _e1340 = (bitcast<i32>(_e1336.member) != 0i);
-                                                if _e1340 {
-                                                    let _e1341 = ((_e851.member_1 & 268435455u) + _e1336.member_1);
-                                                    let _e1342 = (_e1341 < _e101);
-                                                    if _e1342 {
-                                                        if _e1342 {
+                                                let _e877 = phi_1489_;
+                                                let _e879 = phi_1511_;
+                                                let _e883 = (bitcast<i32>(_e879.member) != 0i);
+                                                if _e883 {
+                                                    let _e884 = ((_e851.member_1 & 268435455u) + _e879.member_1);
+                                                    let _e885 = (_e884 < _e101);
+                                                    if _e885 {
+                                                        if _e885 {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1346 = global_5.member[_e1341].member_1;
-                                                        phi_1532_ = _e1346;
+                                                        let _e889 = global_5.member[_e884].member_1;
+                                                        phi_1532_ = _e889;
                                                     } else {
                                                         phi_1532_ = 4294967295u;
                                                     }
-                                                    let _e1348 = phi_1532_;
-                                                    if (_e1341 >= _e101) {
+                                                    let _e891 = phi_1532_;
+                                                    if (_e884 >= _e101) {
                                                         phi_1624_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1342 {
+                                                        if _e885 {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
                                                         if (_e768 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1355 = global_5.member[_e1341].member[_e768];
+                                                        let _e898 = global_5.member[_e884].member[_e768];
                                                         if (_e774 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1361 = global_5.member[_e1341].member[_e774];
+                                                        let _e904 = global_5.member[_e884].member[_e774];
                                                         if (_e780 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1367 = global_5.member[_e1341].member[_e780];
-                                                        let _e1369 = (3u + _e768);
-                                                        if (_e1369 < 9u) {
+                                                        let _e910 = global_5.member[_e884].member[_e780];
+                                                        let _e912 = (3u + _e768);
+                                                        if (_e912 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1375 = global_5.member[_e1341].member[_e1369];
-                                                        let _e1376 = (3u + _e774);
-                                                        if (_e1376 < 9u) {
+                                                        let _e918 = global_5.member[_e884].member[_e912];
+                                                        let _e919 = (3u + _e774);
+                                                        if (_e919 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1382 = global_5.member[_e1341].member[_e1376];
-                                                        let _e1383 = (3u + _e780);
-                                                        if (_e1383 < 9u) {
+                                                        let _e925 = global_5.member[_e884].member[_e919];
+                                                        let _e926 = (3u + _e780);
+                                                        if (_e926 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1389 = global_5.member[_e1341].member[_e1383];
-                                                        let _e1391 = (6u + _e768);
-                                                        if (_e1391 < 9u) {
+                                                        let _e932 = global_5.member[_e884].member[_e926];
+                                                        let _e934 = (6u + _e768);
+                                                        if (_e934 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1397 = global_5.member[_e1341].member[_e1391];
-                                                        let _e1398 = (6u + _e774);
-                                                        if (_e1398 < 9u) {
+                                                        let _e940 = global_5.member[_e884].member[_e934];
+                                                        let _e941 = (6u + _e774);
+                                                        if (_e941 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1404 = global_5.member[_e1341].member[_e1398];
-                                                        let _e1405 = (6u + _e780);
-                                                        if (_e1405 < 9u) {
+                                                        let _e947 = global_5.member[_e884].member[_e941];
+                                                        let _e948 = (6u + _e780);
+                                                        if (_e948 < 9u) {
                                                         } else {
-                                                            phi_4368_ = true;
+                                                            phi_4371_ = true;
                                                             break;
                                                         }
-                                                        let _e1411 = global_5.member[_e1341].member[_e1405];
-                                                        phi_1624_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1355, _e1361, _e1367), array<f32, 3>(_e1375, _e1382, _e1389), array<f32, 3>(_e1397, _e1404, _e1411));
+                                                        let _e954 = global_5.member[_e884].member[_e948];
+                                                        phi_1624_ = array<array<f32, 3>, 3>(array<f32, 3>(_e898, _e904, _e910), array<f32, 3>(_e918, _e925, _e932), array<f32, 3>(_e940, _e947, _e954));
                                                     }
-                                                    let _e1415 = phi_1624_;
-                                                    let _e1423 = (_e1415[0][2] - _e611);
-                                                    let _e1426 = (((_e1415[0][0] - _e478) * _e650) - (_e1423 * _e518));
-                                                    let _e1429 = (((_e1415[0][1] - _e545) * _e650) - (_e1423 * _e584));
-                                                    let _e1436 = (_e1415[1][2] - _e611);
-                                                    let _e1439 = (((_e1415[1][0] - _e478) * _e650) - (_e1436 * _e518));
-                                                    let _e1442 = (((_e1415[1][1] - _e545) * _e650) - (_e1436 * _e584));
-                                                    let _e1449 = (_e1415[2][2] - _e611);
-                                                    let _e1452 = (((_e1415[2][0] - _e478) * _e650) - (_e1449 * _e518));
-                                                    let _e1455 = (((_e1415[2][1] - _e545) * _e650) - (_e1449 * _e584));
-                                                    let _e1456 = (_e1452 * _e1442);
-                                                    let _e1457 = (_e1455 * _e1439);
-                                                    let _e1458 = (_e1426 * _e1455);
-                                                    let _e1459 = (_e1429 * _e1452);
-                                                    let _e1460 = (_e1439 * _e1429);
-                                                    let _e1461 = (_e1442 * _e1426);
-                                                    let _e1466 = (((_e1456 >= _e1457) && (_e1458 >= _e1459)) && (_e1460 >= _e1461));
-                                                    if (_e1466 || (((_e1456 <= _e1457) && (_e1458 <= _e1459)) && (_e1460 <= _e1461))) {
-                                                        let _e1473 = select(-1f, 1f, _e1466);
-                                                        let _e1475 = ((_e1456 - _e1457) * _e1473);
-                                                        let _e1477 = select(0f, _e1475, (_e1475 > 0f));
-                                                        let _e1479 = ((_e1458 - _e1459) * _e1473);
-                                                        let _e1481 = select(0f, _e1479, (_e1479 > 0f));
-                                                        let _e1483 = ((_e1460 - _e1461) * _e1473);
-                                                        let _e1485 = select(0f, _e1483, (_e1483 > 0f));
-                                                        let _e1487 = ((_e1477 + _e1481) + _e1485);
-                                                        if (_e1487 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e958 = phi_1624_;
+                                                    let _e966 = (_e958[0][2] - _e611);
+                                                    let _e969 = (((_e958[0][0] - _e478) * _e650) - (_e966 * _e518));
+                                                    let _e972 = (((_e958[0][1] - _e545) * _e650) - (_e966 * _e584));
+                                                    let _e979 = (_e958[1][2] - _e611);
+                                                    let _e982 = (((_e958[1][0] - _e478) * _e650) - (_e979 * _e518));
+                                                    let _e985 = (((_e958[1][1] - _e545) * _e650) - (_e979 * _e584));
+                                                    let _e992 = (_e958[2][2] - _e611);
+                                                    let _e995 = (((_e958[2][0] - _e478) * _e650) - (_e992 * _e518));
+                                                    let _e998 = (((_e958[2][1] - _e545) * _e650) - (_e992 * _e584));
+                                                    let _e999 = (_e995 * _e985);
+                                                    let _e1000 = (_e998 * _e982);
+                                                    let _e1001 = (_e969 * _e998);
+                                                    let _e1002 = (_e972 * _e995);
+                                                    let _e1003 = (_e982 * _e972);
+                                                    let _e1004 = (_e985 * _e969);
+                                                    let _e1009 = (((_e999 >= _e1000) && (_e1001 >= _e1002)) && (_e1003 >= _e1004));
+                                                    if (_e1009 || (((_e999 <= _e1000) && (_e1001 <= _e1002)) && (_e1003 <= _e1004))) {
+                                                        let _e1016 = select(-1f, 1f, _e1009);
+                                                        let _e1018 = ((_e999 - _e1000) * _e1016);
+                                                        let _e1020 = select(0f, _e1018, (_e1018 > 0f));
+                                                        let _e1022 = ((_e1001 - _e1002) * _e1016);
+                                                        let _e1024 = select(0f, _e1022, (_e1022 > 0f));
+                                                        let _e1026 = ((_e1003 - _e1004) * _e1016);
+                                                        let _e1028 = select(0f, _e1026, (_e1026 > 0f));
+                                                        let _e1030 = ((_e1020 + _e1024) + _e1028);
+                                                        if (_e1030 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2508_ = type_26();
                                                             phi_2509_ = true;
                                                             phi_2510_ = false;
                                                         } else {
-                                                            let _e1490 = select(_e1439, _e1426, (_e1426 < _e1439));
-                                                            if (select(_e1452, _e1490, (_e1490 < _e1452)) > 0f) {
+                                                            let _e1033 = select(_e982, _e969, (_e969 < _e982));
+                                                            if (select(_e995, _e1033, (_e1033 < _e995)) > 0f) {
                                                                 phi_1776_ = true;
                                                             } else {
-                                                                let _e1495 = select(_e1439, _e1426, (_e1426 > _e1439));
-                                                                phi_1776_ = (select(_e1452, _e1495, (_e1495 > _e1452)) < 0f);
+                                                                let _e1038 = select(_e982, _e969, (_e969 > _e982));
+                                                                phi_1776_ = (select(_e995, _e1038, (_e1038 > _e995)) < 0f);
                                                             }
-                                                            let _e1500 = phi_1776_;
-                                                            if _e1500 {
+                                                            let _e1043 = phi_1776_;
+                                                            if _e1043 {
                                                                 phi_2505_ = type_26();
                                                                 phi_2506_ = true;
                                                                 phi_2507_ = false;
                                                             } else {
-                                                                let _e1502 = select(_e1442, _e1429, (_e1429 < _e1442));
-                                                                if (select(_e1455, _e1502, (_e1502 < _e1455)) > 0f) {
+                                                                let _e1045 = select(_e985, _e972, (_e972 < _e985));
+                                                                if (select(_e998, _e1045, (_e1045 < _e998)) > 0f) {
                                                                     phi_1805_ = true;
                                                                 } else {
-                                                                    let _e1507 = select(_e1442, _e1429, (_e1429 > _e1442));
-                                                                    phi_1805_ = (select(_e1455, _e1507, (_e1507 > _e1455)) < 0f);
+                                                                    let _e1050 = select(_e985, _e972, (_e972 > _e985));
+                                                                    phi_1805_ = (select(_e998, _e1050, (_e1050 > _e998)) < 0f);
                                                                 }
-                                                                let _e1512 = phi_1805_;
-                                                                if _e1512 {
+                                                                let _e1055 = phi_1805_;
+                                                                if _e1055 {
                                                                     phi_2503_ = type_26();
                                                                     phi_2504_ = false;
                                                                 } else {
-                                                                    let _e1514 = select(_e1415[1][0], _e1415[0][0], (_e1415[0][0] < _e1415[1][0]));
-                                                                    let _e1518 = select(_e1415[1][0], _e1415[0][0], (_e1415[0][0] > _e1415[1][0]));
-                                                                    let _e1522 = select(_e1415[1][1], _e1415[0][1], (_e1415[0][1] < _e1415[1][1]));
-                                                                    let _e1526 = select(_e1415[1][1], _e1415[0][1], (_e1415[0][1] > _e1415[1][1]));
-                                                                    let _e1530 = select(_e1415[1][2], _e1415[0][2], (_e1415[0][2] < _e1415[1][2]));
-                                                                    let _e1534 = select(_e1415[1][2], _e1415[0][2], (_e1415[0][2] > _e1415[1][2]));
-                                                                    let _e1539 = ((select(_e1415[2][0], _e1514, (_e1514 < _e1415[2][0])) - _e516) * _e521);
-                                                                    let _e1540 = ((select(_e1415[2][0], _e1518, (_e1518 > _e1415[2][0])) - _e517) * _e521);
-                                                                    let _e1543 = ((select(_e1415[2][1], _e1522, (_e1522 < _e1415[2][1])) - _e582) * _e587);
-                                                                    let _e1544 = ((select(_e1415[2][1], _e1526, (_e1526 > _e1415[2][1])) - _e583) * _e587);
-                                                                    let _e1547 = ((select(_e1415[2][2], _e1530, (_e1530 < _e1415[2][2])) - _e648) * _e653);
-                                                                    let _e1548 = ((select(_e1415[2][2], _e1534, (_e1534 > _e1415[2][2])) - _e649) * _e653);
-                                                                    let _e1550 = select(_e1548, _e1547, (_e1547 < _e1548));
-                                                                    let _e1552 = select(_e1548, _e1547, (_e1547 > _e1548));
-                                                                    let _e1554 = select(_e1540, _e1539, (_e1539 < _e1540));
-                                                                    let _e1556 = select(_e1544, _e1543, (_e1543 < _e1544));
-                                                                    let _e1558 = select(_e1556, _e1554, (_e1554 > _e1556));
-                                                                    let _e1560 = select(_e1550, _e1558, (_e1558 > _e1550));
-                                                                    let _e1562 = select(_e1540, _e1539, (_e1539 > _e1540));
-                                                                    let _e1564 = select(_e1544, _e1543, (_e1543 > _e1544));
-                                                                    let _e1566 = select(_e1564, _e1562, (_e1562 < _e1564));
-                                                                    let _e1568 = select(_e1552, _e1566, (_e1566 < _e1552));
-                                                                    let _e1569 = -(_e1550);
-                                                                    let _e1575 = select(_e764, _e1560, (_e1560 > _e764));
-                                                                    if (_e1575 > (_e1568 + (select(_e1569, _e1552, (_e1552 > _e1569)) * 0.0000019073523f))) {
+                                                                    let _e1057 = select(_e958[1][0], _e958[0][0], (_e958[0][0] < _e958[1][0]));
+                                                                    let _e1061 = select(_e958[1][0], _e958[0][0], (_e958[0][0] > _e958[1][0]));
+                                                                    let _e1065 = select(_e958[1][1], _e958[0][1], (_e958[0][1] < _e958[1][1]));
+                                                                    let _e1069 = select(_e958[1][1], _e958[0][1], (_e958[0][1] > _e958[1][1]));
+                                                                    let _e1073 = select(_e958[1][2], _e958[0][2], (_e958[0][2] < _e958[1][2]));
+                                                                    let _e1077 = select(_e958[1][2], _e958[0][2], (_e958[0][2] > _e958[1][2]));
+                                                                    let _e1082 = ((select(_e958[2][0], _e1057, (_e1057 < _e958[2][0])) - _e516) * _e521);
+                                                                    let _e1083 = ((select(_e958[2][0], _e1061, (_e1061 > _e958[2][0])) - _e517) * _e521);
+                                                                    let _e1086 = ((select(_e958[2][1], _e1065, (_e1065 < _e958[2][1])) - _e582) * _e587);
+                                                                    let _e1087 = ((select(_e958[2][1], _e1069, (_e1069 > _e958[2][1])) - _e583) * _e587);
+                                                                    let _e1090 = ((select(_e958[2][2], _e1073, (_e1073 < _e958[2][2])) - _e648) * _e653);
+                                                                    let _e1091 = ((select(_e958[2][2], _e1077, (_e1077 > _e958[2][2])) - _e649) * _e653);
+                                                                    let _e1093 = select(_e1091, _e1090, (_e1090 < _e1091));
+                                                                    let _e1095 = select(_e1091, _e1090, (_e1090 > _e1091));
+                                                                    let _e1097 = select(_e1083, _e1082, (_e1082 < _e1083));
+                                                                    let _e1099 = select(_e1087, _e1086, (_e1086 < _e1087));
+                                                                    let _e1101 = select(_e1099, _e1097, (_e1097 > _e1099));
+                                                                    let _e1103 = select(_e1093, _e1101, (_e1101 > _e1093));
+                                                                    let _e1105 = select(_e1083, _e1082, (_e1082 > _e1083));
+                                                                    let _e1107 = select(_e1087, _e1086, (_e1086 > _e1087));
+                                                                    let _e1109 = select(_e1107, _e1105, (_e1105 < _e1107));
+                                                                    let _e1111 = select(_e1095, _e1109, (_e1109 < _e1095));
+                                                                    let _e1112 = -(_e1093);
+                                                                    let _e1118 = select(_e764, _e1103, (_e1103 > _e764));
+                                                                    if (_e1118 > (_e1111 + (select(_e1112, _e1095, (_e1095 > _e1112)) * 0.0000019073523f))) {
                                                                         phi_2498_ = type_26();
                                                                         phi_2499_ = true;
                                                                     } else {
-                                                                        let _e1577 = (_e1575 > _e1319.member);
-                                                                        if _e1577 {
+                                                                        let _e1120 = (_e1118 > _e862.member);
+                                                                        if _e1120 {
                                                                             phi_2497_ = type_26();
                                                                         } else {
-                                                                            let _e1578 = vec3<f32>(_e1415[0][0], _e1415[0][1], _e1415[0][2]);
-                                                                            let _e1579 = vec3<f32>(_e1415[1][0], _e1415[1][1], _e1415[1][2]);
-                                                                            let _e1580 = vec3<f32>(_e1415[2][0], _e1415[2][1], _e1415[2][2]);
-                                                                            let _e1581 = (_e1415[1][0] - _e1415[0][0]);
-                                                                            let _e1582 = (_e1415[1][1] - _e1415[0][1]);
-                                                                            let _e1583 = (_e1415[1][2] - _e1415[0][2]);
-                                                                            let _e1584 = vec3<f32>(_e1581, _e1582, _e1583);
-                                                                            let _e1585 = (_e1415[2][0] - _e1415[1][0]);
-                                                                            let _e1586 = (_e1415[2][1] - _e1415[1][1]);
-                                                                            let _e1587 = (_e1415[2][2] - _e1415[1][2]);
-                                                                            let _e1588 = vec3<f32>(_e1585, _e1586, _e1587);
-                                                                            let _e1589 = (_e1415[0][0] - _e1415[2][0]);
-                                                                            let _e1590 = (_e1415[0][1] - _e1415[2][1]);
-                                                                            let _e1591 = (_e1415[0][2] - _e1415[2][2]);
-                                                                            let _e1592 = vec3<f32>(_e1589, _e1590, _e1591);
-                                                                            let _e1595 = bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u));
-                                                                            let _e1598 = bitcast<f32>((bitcast<u32>(_e1582) & 2147483647u));
-                                                                            let _e1600 = select(_e1598, _e1595, (_e1595 > _e1598));
-                                                                            let _e1603 = bitcast<f32>((bitcast<u32>(_e1583) & 2147483647u));
-                                                                            let _e1605 = select(_e1603, _e1600, (_e1600 > _e1603));
-                                                                            let _e1608 = bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u));
-                                                                            let _e1611 = bitcast<f32>((bitcast<u32>(_e1586) & 2147483647u));
-                                                                            let _e1613 = select(_e1611, _e1608, (_e1608 > _e1611));
-                                                                            let _e1616 = bitcast<f32>((bitcast<u32>(_e1587) & 2147483647u));
-                                                                            let _e1618 = select(_e1616, _e1613, (_e1613 > _e1616));
-                                                                            let _e1621 = bitcast<f32>((bitcast<u32>(_e1589) & 2147483647u));
-                                                                            let _e1624 = bitcast<f32>((bitcast<u32>(_e1590) & 2147483647u));
-                                                                            let _e1626 = select(_e1624, _e1621, (_e1621 > _e1624));
-                                                                            let _e1629 = bitcast<f32>((bitcast<u32>(_e1591) & 2147483647u));
-                                                                            let _e1631 = select(_e1629, _e1626, (_e1626 > _e1629));
-                                                                            let _e1633 = select(_e1618, _e1605, (_e1605 > _e1618));
-                                                                            let _e1635 = select(_e1631, _e1633, (_e1633 > _e1631));
-                                                                            if (_e1605 == _e1635) {
-                                                                                phi_2224_ = _e1442;
-                                                                                phi_2225_ = _e1439;
-                                                                                phi_2226_ = _e1429;
-                                                                                phi_2227_ = _e1426;
-                                                                                phi_2228_ = _e1578;
-                                                                                phi_2229_ = _e1592;
-                                                                                phi_2230_ = _e1588;
-                                                                                phi_2231_ = _e1584;
+                                                                            let _e1121 = vec3<f32>(_e958[0][0], _e958[0][1], _e958[0][2]);
+                                                                            let _e1122 = vec3<f32>(_e958[1][0], _e958[1][1], _e958[1][2]);
+                                                                            let _e1123 = vec3<f32>(_e958[2][0], _e958[2][1], _e958[2][2]);
+                                                                            let _e1124 = (_e958[1][0] - _e958[0][0]);
+                                                                            let _e1125 = (_e958[1][1] - _e958[0][1]);
+                                                                            let _e1126 = (_e958[1][2] - _e958[0][2]);
+                                                                            let _e1127 = vec3<f32>(_e1124, _e1125, _e1126);
+                                                                            let _e1128 = (_e958[2][0] - _e958[1][0]);
+                                                                            let _e1129 = (_e958[2][1] - _e958[1][1]);
+                                                                            let _e1130 = (_e958[2][2] - _e958[1][2]);
+                                                                            let _e1131 = vec3<f32>(_e1128, _e1129, _e1130);
+                                                                            let _e1132 = (_e958[0][0] - _e958[2][0]);
+                                                                            let _e1133 = (_e958[0][1] - _e958[2][1]);
+                                                                            let _e1134 = (_e958[0][2] - _e958[2][2]);
+                                                                            let _e1135 = vec3<f32>(_e1132, _e1133, _e1134);
+                                                                            let _e1138 = bitcast<f32>((bitcast<u32>(_e1124) & 2147483647u));
+                                                                            let _e1141 = bitcast<f32>((bitcast<u32>(_e1125) & 2147483647u));
+                                                                            let _e1143 = select(_e1141, _e1138, (_e1138 > _e1141));
+                                                                            let _e1146 = bitcast<f32>((bitcast<u32>(_e1126) & 2147483647u));
+                                                                            let _e1148 = select(_e1146, _e1143, (_e1143 > _e1146));
+                                                                            let _e1151 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
+                                                                            let _e1154 = bitcast<f32>((bitcast<u32>(_e1129) & 2147483647u));
+                                                                            let _e1156 = select(_e1154, _e1151, (_e1151 > _e1154));
+                                                                            let _e1159 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
+                                                                            let _e1161 = select(_e1159, _e1156, (_e1156 > _e1159));
+                                                                            let _e1164 = bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u));
+                                                                            let _e1167 = bitcast<f32>((bitcast<u32>(_e1133) & 2147483647u));
+                                                                            let _e1169 = select(_e1167, _e1164, (_e1164 > _e1167));
+                                                                            let _e1172 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
+                                                                            let _e1174 = select(_e1172, _e1169, (_e1169 > _e1172));
+                                                                            let _e1176 = select(_e1161, _e1148, (_e1148 > _e1161));
+                                                                            let _e1178 = select(_e1174, _e1176, (_e1176 > _e1174));
+                                                                            if (_e1148 == _e1178) {
+                                                                                phi_2224_ = _e985;
+                                                                                phi_2225_ = _e982;
+                                                                                phi_2226_ = _e972;
+                                                                                phi_2227_ = _e969;
+                                                                                phi_2228_ = _e1121;
+                                                                                phi_2229_ = _e1135;
+                                                                                phi_2230_ = _e1131;
+                                                                                phi_2231_ = _e1127;
                                                                             } else {
-                                                                                let _e1637 = (_e1618 == _e1635);
-                                                                                let _e1642 = vec3(_e1637);
-                                                                                phi_2224_ = select(_e1429, _e1455, _e1637);
-                                                                                phi_2225_ = select(_e1426, _e1452, _e1637);
-                                                                                phi_2226_ = select(_e1455, _e1442, _e1637);
-                                                                                phi_2227_ = select(_e1452, _e1439, _e1637);
-                                                                                phi_2228_ = select(_e1580, _e1579, _e1642);
-                                                                                phi_2229_ = select(_e1588, _e1584, _e1642);
-                                                                                phi_2230_ = select(_e1584, _e1592, _e1642);
-                                                                                phi_2231_ = select(_e1592, _e1588, _e1642);
+                                                                                let _e1180 = (_e1161 == _e1178);
+                                                                                let _e1185 = vec3(_e1180);
+                                                                                phi_2224_ = select(_e972, _e998, _e1180);
+                                                                                phi_2225_ = select(_e969, _e995, _e1180);
+                                                                                phi_2226_ = select(_e998, _e985, _e1180);
+                                                                                phi_2227_ = select(_e995, _e982, _e1180);
+                                                                                phi_2228_ = select(_e1123, _e1122, _e1185);
+                                                                                phi_2229_ = select(_e1131, _e1127, _e1185);
+                                                                                phi_2230_ = select(_e1127, _e1135, _e1185);
+                                                                                phi_2231_ = select(_e1135, _e1131, _e1185);
                                                                             }
-                                                                            let _e1648 = phi_2224_;
-                                                                            let _e1650 = phi_2225_;
-                                                                            let _e1652 = phi_2226_;
-                                                                            let _e1654 = phi_2227_;
-                                                                            let _e1656 = phi_2228_;
-                                                                            let _e1658 = phi_2229_;
-                                                                            let _e1660 = phi_2230_;
-                                                                            let _e1662 = phi_2231_;
-                                                                            let _e1669 = ((_e1660.y * _e1658.z) - (_e1658.y * _e1660.z));
-                                                                            let _e1674 = ((_e1660.z * _e1658.x) - (_e1658.z * _e1660.x));
-                                                                            let _e1677 = ((_e1660.x * _e1658.y) - (_e1658.x * _e1660.y));
-                                                                            if (_e1477 >= _e1481) {
-                                                                                phi_2268_ = select(true, false, (_e1477 >= _e1485));
+                                                                            let _e1191 = phi_2224_;
+                                                                            let _e1193 = phi_2225_;
+                                                                            let _e1195 = phi_2226_;
+                                                                            let _e1197 = phi_2227_;
+                                                                            let _e1199 = phi_2228_;
+                                                                            let _e1201 = phi_2229_;
+                                                                            let _e1203 = phi_2230_;
+                                                                            let _e1205 = phi_2231_;
+                                                                            let _e1212 = ((_e1203.y * _e1201.z) - (_e1201.y * _e1203.z));
+                                                                            let _e1217 = ((_e1203.z * _e1201.x) - (_e1201.z * _e1203.x));
+                                                                            let _e1220 = ((_e1203.x * _e1201.y) - (_e1201.x * _e1203.y));
+                                                                            if (_e1020 >= _e1024) {
+                                                                                phi_2268_ = select(true, false, (_e1020 >= _e1028));
                                                                             } else {
                                                                                 phi_2268_ = true;
                                                                             }
-                                                                            let _e1682 = phi_2268_;
-                                                                            if _e1682 {
-                                                                                phi_2277_ = select(_e1580, _e1579, vec3((_e1481 >= _e1485)));
+                                                                            let _e1225 = phi_2268_;
+                                                                            if _e1225 {
+                                                                                phi_2277_ = select(_e1123, _e1122, vec3((_e1024 >= _e1028)));
                                                                             } else {
-                                                                                phi_2277_ = _e1578;
+                                                                                phi_2277_ = _e1121;
                                                                             }
-                                                                            let _e1687 = phi_2277_;
-                                                                            let _e1698 = (((_e1669 * (_e1687.x - _e478)) + (_e1674 * (_e1687.y - _e545))) + (_e1677 * (_e1687.z - _e611)));
-                                                                            let _e1703 = (((_e1669 * _e518) + (_e1674 * _e584)) + (_e1677 * _e650));
-                                                                            let _e1704 = (_e1650 - _e1654);
-                                                                            let _e1705 = (_e1648 - _e1652);
-                                                                            let _e1713 = (-(((_e1654 * _e1704) + (_e1652 * _e1705))) / ((_e1704 * _e1704) + (_e1705 * _e1705)));
-                                                                            let _e1715 = select(1f, _e1713, (_e1713 < 1f));
-                                                                            let _e1717 = select(0f, _e1715, (_e1715 > 0f));
-                                                                            let _e1730 = ((_e1656.x + (_e1662.x * _e1717)) - _e478);
-                                                                            let _e1731 = ((_e1656.y + (_e1662.y * _e1717)) - _e545);
-                                                                            let _e1732 = ((_e1656.z + (_e1662.z * _e1717)) - _e611);
-                                                                            let _e1733 = (_e1732 / _e650);
-                                                                            let _e1745 = bitcast<f32>((bitcast<u32>(_e1730) & 2147483647u));
-                                                                            let _e1748 = bitcast<f32>((bitcast<u32>(_e1731) & 2147483647u));
-                                                                            let _e1750 = select(_e1748, _e1745, (_e1745 > _e1748));
-                                                                            let _e1753 = bitcast<f32>((bitcast<u32>(_e1732) & 2147483647u));
-                                                                            let _e1755 = select(_e1753, _e1750, (_e1750 > _e1753));
-                                                                            let _e1761 = bitcast<f32>((bitcast<u32>(_e1669) & 2147483647u));
-                                                                            let _e1764 = bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u));
-                                                                            let _e1766 = select(_e1764, _e1761, (_e1761 > _e1764));
-                                                                            let _e1769 = bitcast<f32>((bitcast<u32>(_e1677) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1669 * _e1730) + (_e1674 * _e1731)) + (_e1677 * _e1732)) - _e1698)) & 2147483647u)) <= ((0.0000009536743f * select(_e1635, _e1755, (_e1755 > _e1635))) * select(_e1769, _e1766, (_e1766 > _e1769)))) {
-                                                                                let _e1779 = bitcast<f32>((bitcast<u32>(_e1660.x) & 2147483647u));
-                                                                                let _e1782 = bitcast<f32>((bitcast<u32>(_e1660.y) & 2147483647u));
-                                                                                let _e1784 = select(_e1782, _e1779, (_e1779 > _e1782));
-                                                                                let _e1787 = bitcast<f32>((bitcast<u32>(_e1660.z) & 2147483647u));
-                                                                                let _e1793 = bitcast<f32>((bitcast<u32>(_e1658.x) & 2147483647u));
-                                                                                let _e1796 = bitcast<f32>((bitcast<u32>(_e1658.y) & 2147483647u));
-                                                                                let _e1798 = select(_e1796, _e1793, (_e1793 > _e1796));
-                                                                                let _e1801 = bitcast<f32>((bitcast<u32>(_e1658.z) & 2147483647u));
-                                                                                let _e1805 = (bitcast<f32>((bitcast<u32>(_e1703) & 2147483647u)) > ((0.0000038146973f * select(_e1787, _e1784, (_e1784 > _e1787))) * select(_e1801, _e1798, (_e1798 > _e1801))));
-                                                                                if _e1805 {
-                                                                                    phi_2442_ = (_e1698 / _e1703);
+                                                                            let _e1230 = phi_2277_;
+                                                                            let _e1241 = (((_e1212 * (_e1230.x - _e478)) + (_e1217 * (_e1230.y - _e545))) + (_e1220 * (_e1230.z - _e611)));
+                                                                            let _e1246 = (((_e1212 * _e518) + (_e1217 * _e584)) + (_e1220 * _e650));
+                                                                            let _e1247 = (_e1193 - _e1197);
+                                                                            let _e1248 = (_e1191 - _e1195);
+                                                                            let _e1256 = (-(((_e1197 * _e1247) + (_e1195 * _e1248))) / ((_e1247 * _e1247) + (_e1248 * _e1248)));
+                                                                            let _e1258 = select(1f, _e1256, (_e1256 < 1f));
+                                                                            let _e1260 = select(0f, _e1258, (_e1258 > 0f));
+                                                                            let _e1273 = ((_e1199.x + (_e1205.x * _e1260)) - _e478);
+                                                                            let _e1274 = ((_e1199.y + (_e1205.y * _e1260)) - _e545);
+                                                                            let _e1275 = ((_e1199.z + (_e1205.z * _e1260)) - _e611);
+                                                                            let _e1276 = (_e1275 / _e650);
+                                                                            let _e1288 = bitcast<f32>((bitcast<u32>(_e1273) & 2147483647u));
+                                                                            let _e1291 = bitcast<f32>((bitcast<u32>(_e1274) & 2147483647u));
+                                                                            let _e1293 = select(_e1291, _e1288, (_e1288 > _e1291));
+                                                                            let _e1296 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
+                                                                            let _e1298 = select(_e1296, _e1293, (_e1293 > _e1296));
+                                                                            let _e1304 = bitcast<f32>((bitcast<u32>(_e1212) & 2147483647u));
+                                                                            let _e1307 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
+                                                                            let _e1309 = select(_e1307, _e1304, (_e1304 > _e1307));
+                                                                            let _e1312 = bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1212 * _e1273) + (_e1217 * _e1274)) + (_e1220 * _e1275)) - _e1241)) & 2147483647u)) <= ((0.0000009536743f * select(_e1178, _e1298, (_e1298 > _e1178))) * select(_e1312, _e1309, (_e1309 > _e1312)))) {
+                                                                                let _e1322 = bitcast<f32>((bitcast<u32>(_e1203.x) & 2147483647u));
+                                                                                let _e1325 = bitcast<f32>((bitcast<u32>(_e1203.y) & 2147483647u));
+                                                                                let _e1327 = select(_e1325, _e1322, (_e1322 > _e1325));
+                                                                                let _e1330 = bitcast<f32>((bitcast<u32>(_e1203.z) & 2147483647u));
+                                                                                let _e1336 = bitcast<f32>((bitcast<u32>(_e1201.x) & 2147483647u));
+                                                                                let _e1339 = bitcast<f32>((bitcast<u32>(_e1201.y) & 2147483647u));
+                                                                                let _e1341 = select(_e1339, _e1336, (_e1336 > _e1339));
+                                                                                let _e1344 = bitcast<f32>((bitcast<u32>(_e1201.z) & 2147483647u));
+                                                                                let _e1348 = (bitcast<f32>((bitcast<u32>(_e1246) & 2147483647u)) > ((0.0000038146973f * select(_e1330, _e1327, (_e1327 > _e1330))) * select(_e1344, _e1341, (_e1341 > _e1344))));
+                                                                                if _e1348 {
+                                                                                    phi_2442_ = (_e1241 / _e1246);
                                                                                 } else {
                                                                                     phi_2442_ = f32();
                                                                                 }
-                                                                                let _e1808 = phi_2442_;
-                                                                                phi_2444_ = _e1808;
-                                                                                phi_2445_ = select(true, false, _e1805);
+                                                                                let _e1351 = phi_2442_;
+                                                                                phi_2444_ = _e1351;
+                                                                                phi_2445_ = select(true, false, _e1348);
                                                                             } else {
                                                                                 phi_2444_ = f32();
                                                                                 phi_2445_ = true;
                                                                             }
-                                                                            let _e1811 = phi_2444_;
-                                                                            let _e1813 = phi_2445_;
-                                                                            if _e1813 {
-                                                                                let _e1821 = (((_e1669 * (_e1730 - (_e518 * _e1733))) + (_e1674 * (_e1731 - (_e584 * _e1733)))) / _e1703);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1821) & 2147483647u)) <= _e1635) {
-                                                                                    phi_2465_ = (_e1733 + _e1821);
+                                                                            let _e1354 = phi_2444_;
+                                                                            let _e1356 = phi_2445_;
+                                                                            if _e1356 {
+                                                                                let _e1364 = (((_e1212 * (_e1273 - (_e518 * _e1276))) + (_e1217 * (_e1274 - (_e584 * _e1276)))) / _e1246);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1364) & 2147483647u)) <= _e1178) {
+                                                                                    phi_2465_ = (_e1276 + _e1364);
                                                                                 } else {
-                                                                                    phi_2465_ = _e1733;
+                                                                                    phi_2465_ = _e1276;
                                                                                 }
-                                                                                let _e1828 = phi_2465_;
-                                                                                phi_2466_ = _e1828;
+                                                                                let _e1371 = phi_2465_;
+                                                                                phi_2466_ = _e1371;
                                                                             } else {
-                                                                                phi_2466_ = _e1811;
+                                                                                phi_2466_ = _e1354;
                                                                             }
-                                                                            let _e1830 = phi_2466_;
-                                                                            let _e1832 = select(_e1568, _e1830, (_e1830 < _e1568));
-                                                                            let _e1834 = select(_e1560, _e1832, (_e1832 > _e1560));
-                                                                            if (_e1834 >= _e764) {
-                                                                                let _e1836 = (_e1834 <= _e1319.member);
-                                                                                if _e1836 {
-                                                                                    let _e1837 = (1f / _e1487);
-                                                                                    phi_2489_ = type_26(_e1834, (_e1481 * _e1837), (_e1485 * _e1837), _e1348);
+                                                                            let _e1373 = phi_2466_;
+                                                                            let _e1375 = select(_e1111, _e1373, (_e1373 < _e1111));
+                                                                            let _e1377 = select(_e1103, _e1375, (_e1375 > _e1103));
+                                                                            if (_e1377 >= _e764) {
+                                                                                let _e1379 = (_e1377 <= _e862.member);
+                                                                                if _e1379 {
+                                                                                    let _e1380 = (1f / _e1030);
+                                                                                    phi_2489_ = type_26(_e1377, (_e1024 * _e1380), (_e1028 * _e1380), _e891);
                                                                                 } else {
                                                                                     phi_2489_ = type_26();
                                                                                 }
-                                                                                let _e1842 = phi_2489_;
-                                                                                phi_2491_ = _e1842;
-                                                                                phi_2492_ = select(true, false, _e1836);
+                                                                                let _e1385 = phi_2489_;
+                                                                                phi_2491_ = _e1385;
+                                                                                phi_2492_ = select(true, false, _e1379);
                                                                             } else {
                                                                                 phi_2491_ = type_26();
                                                                                 phi_2492_ = true;
                                                                             }
-                                                                            let _e1845 = phi_2491_;
-                                                                            let _e1847 = phi_2492_;
-                                                                            if _e1847 {
+                                                                            let _e1388 = phi_2491_;
+                                                                            let _e1390 = phi_2492_;
+                                                                            if _e1390 {
                                                                                 phi_2496_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2496_ = _e1845;
+                                                                                phi_2496_ = _e1388;
                                                                             }
-                                                                            let _e1849 = phi_2496_;
-                                                                            phi_2497_ = _e1849;
+                                                                            let _e1392 = phi_2496_;
+                                                                            phi_2497_ = _e1392;
                                                                         }
-                                                                        let _e1851 = phi_2497_;
-                                                                        phi_2498_ = _e1851;
-                                                                        phi_2499_ = _e1577;
+                                                                        let _e1394 = phi_2497_;
+                                                                        phi_2498_ = _e1394;
+                                                                        phi_2499_ = _e1120;
                                                                     }
-                                                                    let _e1853 = phi_2498_;
-                                                                    let _e1855 = phi_2499_;
-                                                                    phi_2503_ = _e1853;
-                                                                    phi_2504_ = _e1855;
+                                                                    let _e1396 = phi_2498_;
+                                                                    let _e1398 = phi_2499_;
+                                                                    phi_2503_ = _e1396;
+                                                                    phi_2504_ = _e1398;
                                                                 }
-                                                                let _e1857 = phi_2503_;
-                                                                let _e1859 = phi_2504_;
-                                                                phi_2505_ = _e1857;
-                                                                phi_2506_ = _e1512;
-                                                                phi_2507_ = _e1859;
+                                                                let _e1400 = phi_2503_;
+                                                                let _e1402 = phi_2504_;
+                                                                phi_2505_ = _e1400;
+                                                                phi_2506_ = _e1055;
+                                                                phi_2507_ = _e1402;
                                                             }
-                                                            let _e1861 = phi_2505_;
-                                                            let _e1863 = phi_2506_;
-                                                            let _e1865 = phi_2507_;
-                                                            phi_2508_ = _e1861;
-                                                            phi_2509_ = _e1863;
-                                                            phi_2510_ = _e1865;
+                                                            let _e1404 = phi_2505_;
+                                                            let _e1406 = phi_2506_;
+                                                            let _e1408 = phi_2507_;
+                                                            phi_2508_ = _e1404;
+                                                            phi_2509_ = _e1406;
+                                                            phi_2510_ = _e1408;
                                                         }
-                                                        let _e1867 = phi_2508_;
-                                                        let _e1869 = phi_2509_;
-                                                        let _e1871 = phi_2510_;
-                                                        phi_2518_ = _e1867;
-                                                        phi_2519_ = select(_e1871, true, _e1869);
+                                                        let _e1410 = phi_2508_;
+                                                        let _e1412 = phi_2509_;
+                                                        let _e1414 = phi_2510_;
+                                                        phi_2518_ = _e1410;
+                                                        phi_2519_ = select(_e1414, true, _e1412);
                                                     } else {
                                                         phi_2518_ = type_26();
                                                         phi_2519_ = true;
                                                     }
-                                                    let _e1874 = phi_2518_;
-                                                    let _e1876 = phi_2519_;
-                                                    if _e1876 {
+                                                    let _e1417 = phi_2518_;
+                                                    let _e1419 = phi_2519_;
+                                                    if _e1419 {
                                                         phi_2523_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2523_ = _e1874;
+                                                        phi_2523_ = _e1417;
                                                     }
-                                                    let _e1878 = phi_2523_;
-                                                    if (_e1878.member_3 != 4294967295u) {
-                                                        if (_e1348 == _e166) {
+                                                    let _e1421 = phi_2523_;
+                                                    if (_e1421.member_3 != 4294967295u) {
+                                                        if (_e891 == _e166) {
                                                             phi_2858_ = false;
                                                         } else {
-                                                            let _e1882 = (_e1348 < arrayLength((&global_6.member)));
-                                                            if _e1882 {
-                                                                if _e1882 {
+                                                            let _e1425 = (_e891 < arrayLength((&global_6.member)));
+                                                            if _e1425 {
+                                                                if _e1425 {
                                                                 } else {
-                                                                    phi_4368_ = true;
+                                                                    phi_4371_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1884 = global_6.member[_e1348];
-                                                                phi_2546_ = _e1884;
+                                                                let _e1427 = global_6.member[_e891];
+                                                                phi_2546_ = _e1427;
                                                             } else {
                                                                 phi_2546_ = 4294967295u;
                                                             }
-                                                            let _e1886 = phi_2546_;
-                                                            let _e1887 = (_e1886 < arrayLength((&global_7.member)));
-                                                            if _e1887 {
-                                                                if _e1887 {
+                                                            let _e1429 = phi_2546_;
+                                                            let _e1430 = (_e1429 < arrayLength((&global_7.member)));
+                                                            if _e1430 {
+                                                                if _e1430 {
                                                                 } else {
-                                                                    phi_4368_ = true;
+                                                                    phi_4371_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1889 = global_7.member[_e1886];
-                                                                phi_2560_ = _e1889;
+                                                                let _e1432 = global_7.member[_e1429];
+                                                                phi_2560_ = _e1432;
                                                             } else {
                                                                 phi_2560_ = 0i;
                                                             }
-                                                            let _e1891 = phi_2560_;
-                                                            let _e1892 = (_e1891 == 0i);
-                                                            if _e1892 {
+                                                            let _e1434 = phi_2560_;
+                                                            let _e1435 = (_e1434 == 0i);
+                                                            if _e1435 {
                                                                 phi_2857_ = true;
                                                             } else {
                                                                 if _e455 {
-                                                                    phi_2583_ = vec3<f32>(_e1415[0][0], _e1415[0][1], _e1415[0][2]);
+                                                                    phi_2583_ = vec3<f32>(_e958[0][0], _e958[0][1], _e958[0][2]);
                                                                 } else {
                                                                     if (_e431 == 1u) {
-                                                                        phi_2582_ = vec3<f32>(_e1415[0][2], _e1415[0][0], _e1415[0][1]);
+                                                                        phi_2582_ = vec3<f32>(_e958[0][2], _e958[0][0], _e958[0][1]);
                                                                     } else {
-                                                                        phi_2582_ = vec3<f32>(_e1415[0][1], _e1415[0][2], _e1415[0][0]);
+                                                                        phi_2582_ = vec3<f32>(_e958[0][1], _e958[0][2], _e958[0][0]);
                                                                     }
-                                                                    let _e1897 = phi_2582_;
-                                                                    phi_2583_ = _e1897;
+                                                                    let _e1440 = phi_2582_;
+                                                                    phi_2583_ = _e1440;
                                                                 }
-                                                                let _e1900 = phi_2583_;
+                                                                let _e1443 = phi_2583_;
                                                                 if _e455 {
-                                                                    phi_2602_ = vec3<f32>(_e1415[1][0], _e1415[1][1], _e1415[1][2]);
+                                                                    phi_2602_ = vec3<f32>(_e958[1][0], _e958[1][1], _e958[1][2]);
                                                                 } else {
                                                                     if (_e431 == 1u) {
-                                                                        phi_2601_ = vec3<f32>(_e1415[1][2], _e1415[1][0], _e1415[1][1]);
+                                                                        phi_2601_ = vec3<f32>(_e958[1][2], _e958[1][0], _e958[1][1]);
                                                                     } else {
-                                                                        phi_2601_ = vec3<f32>(_e1415[1][1], _e1415[1][2], _e1415[1][0]);
+                                                                        phi_2601_ = vec3<f32>(_e958[1][1], _e958[1][2], _e958[1][0]);
                                                                     }
-                                                                    let _e1905 = phi_2601_;
-                                                                    phi_2602_ = _e1905;
+                                                                    let _e1448 = phi_2601_;
+                                                                    phi_2602_ = _e1448;
                                                                 }
-                                                                let _e1908 = phi_2602_;
+                                                                let _e1451 = phi_2602_;
                                                                 if _e455 {
-                                                                    phi_2621_ = vec3<f32>(_e1415[2][0], _e1415[2][1], _e1415[2][2]);
+                                                                    phi_2621_ = vec3<f32>(_e958[2][0], _e958[2][1], _e958[2][2]);
                                                                 } else {
                                                                     if (_e431 == 1u) {
-                                                                        phi_2620_ = vec3<f32>(_e1415[2][2], _e1415[2][0], _e1415[2][1]);
+                                                                        phi_2620_ = vec3<f32>(_e958[2][2], _e958[2][0], _e958[2][1]);
                                                                     } else {
-                                                                        phi_2620_ = vec3<f32>(_e1415[2][1], _e1415[2][2], _e1415[2][0]);
+                                                                        phi_2620_ = vec3<f32>(_e958[2][1], _e958[2][2], _e958[2][0]);
                                                                     }
-                                                                    let _e1913 = phi_2620_;
-                                                                    phi_2621_ = _e1913;
+                                                                    let _e1456 = phi_2620_;
+                                                                    phi_2621_ = _e1456;
                                                                 }
-                                                                let _e1916 = phi_2621_;
-                                                                let _e1919 = (_e1908.x - _e1900.x);
-                                                                let _e1922 = (_e1908.y - _e1900.y);
-                                                                let _e1925 = (_e1908.z - _e1900.z);
-                                                                let _e1927 = (_e1916.x - _e1900.x);
-                                                                let _e1929 = (_e1916.y - _e1900.y);
-                                                                let _e1931 = (_e1916.z - _e1900.z);
+                                                                let _e1459 = phi_2621_;
+                                                                let _e1462 = (_e1451.x - _e1443.x);
+                                                                let _e1465 = (_e1451.y - _e1443.y);
+                                                                let _e1468 = (_e1451.z - _e1443.z);
+                                                                let _e1470 = (_e1459.x - _e1443.x);
+                                                                let _e1472 = (_e1459.y - _e1443.y);
+                                                                let _e1474 = (_e1459.z - _e1443.z);
                                                                 if (_e298.member_1 == 1u) {
-                                                                    phi_2657_ = (vec3<f32>(_e298.member[0], _e298.member[1], _e298.member[2]) - _e1900);
+                                                                    phi_2657_ = (vec3<f32>(_e298.member[0], _e298.member[1], _e298.member[2]) - _e1443);
                                                                 } else {
                                                                     phi_2657_ = vec3<f32>(_e298.member[0], _e298.member[1], _e298.member[2]);
                                                                 }
-                                                                let _e1946 = phi_2657_;
-                                                                let _e1952 = bitcast<f32>((bitcast<u32>((_e1919 * _e1929)) ^ _e298.member_3[0]));
-                                                                let _e1956 = bitcast<f32>((bitcast<u32>((_e1922 * _e1927)) ^ _e298.member_3[0]));
-                                                                let _e1960 = bitcast<f32>((bitcast<u32>((_e1922 * _e1931)) ^ _e298.member_3[0]));
-                                                                let _e1964 = bitcast<f32>((bitcast<u32>((_e1925 * _e1929)) ^ _e298.member_3[0]));
-                                                                let _e1968 = bitcast<f32>((bitcast<u32>((_e1925 * _e1927)) ^ _e298.member_3[0]));
-                                                                let _e1972 = bitcast<f32>((bitcast<u32>((_e1919 * _e1931)) ^ _e298.member_3[0]));
-                                                                let _e1973 = (_e1960 - _e1964);
-                                                                let _e1974 = (_e1968 - _e1972);
-                                                                let _e1975 = (_e1952 - _e1956);
-                                                                let _e1999 = (bitcast<f32>((bitcast<u32>(_e1960) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1964) & 2147483647u)));
-                                                                let _e2006 = (bitcast<f32>((bitcast<u32>(_e1968) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1972) & 2147483647u)));
-                                                                let _e2013 = (bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1956) & 2147483647u)));
+                                                                let _e1489 = phi_2657_;
+                                                                let _e1495 = bitcast<f32>((bitcast<u32>((_e1462 * _e1472)) ^ _e298.member_3[0]));
+                                                                let _e1499 = bitcast<f32>((bitcast<u32>((_e1465 * _e1470)) ^ _e298.member_3[0]));
+                                                                let _e1503 = bitcast<f32>((bitcast<u32>((_e1465 * _e1474)) ^ _e298.member_3[0]));
+                                                                let _e1507 = bitcast<f32>((bitcast<u32>((_e1468 * _e1472)) ^ _e298.member_3[0]));
+                                                                let _e1511 = bitcast<f32>((bitcast<u32>((_e1468 * _e1470)) ^ _e298.member_3[0]));
+                                                                let _e1515 = bitcast<f32>((bitcast<u32>((_e1462 * _e1474)) ^ _e298.member_3[0]));
+                                                                let _e1516 = (_e1503 - _e1507);
+                                                                let _e1517 = (_e1511 - _e1515);
+                                                                let _e1518 = (_e1495 - _e1499);
+                                                                let _e1542 = (bitcast<f32>((bitcast<u32>(_e1503) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1507) & 2147483647u)));
+                                                                let _e1549 = (bitcast<f32>((bitcast<u32>(_e1511) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1515) & 2147483647u)));
+                                                                let _e1556 = (bitcast<f32>((bitcast<u32>(_e1495) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1499) & 2147483647u)));
                                                                 if (_e298.member_2 == 0f) {
                                                                     phi_2839_ = 0f;
                                                                 } else {
-                                                                    let _e2043 = bitcast<f32>((bitcast<u32>(_e1973) & 2147483647u));
-                                                                    let _e2046 = bitcast<f32>((bitcast<u32>(_e1974) & 2147483647u));
-                                                                    let _e2049 = bitcast<f32>((bitcast<u32>(_e1975) & 2147483647u));
-                                                                    let _e2051 = select(_e2049, _e2046, (_e2046 > _e2049));
-                                                                    let _e2055 = select(_e2049, _e2046, (_e2046 < _e2049));
-                                                                    let _e2059 = select(_e2046, _e2043, (_e2043 < _e2046));
-                                                                    let _e2061 = select(_e2046, _e2043, (_e2043 > _e2046));
-                                                                    let _e2063 = select(_e2049, _e2061, (_e2061 < _e2049));
-                                                                    phi_2839_ = bitcast<f32>((bitcast<u32>((_e298.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2051, _e2043, (_e2043 > _e2051)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2063, _e2059, (_e2059 > _e2063)))) ^ _e298.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2055, _e2043, (_e2043 < _e2055)))) ^ _e298.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1999 + _e2006) + _e2013))) ^ _e298.member_3[0]))) * 1.0000005f)) ^ _e298.member_3[0])))) ^ _e298.member_3[0]));
+                                                                    let _e1586 = bitcast<f32>((bitcast<u32>(_e1516) & 2147483647u));
+                                                                    let _e1589 = bitcast<f32>((bitcast<u32>(_e1517) & 2147483647u));
+                                                                    let _e1592 = bitcast<f32>((bitcast<u32>(_e1518) & 2147483647u));
+                                                                    let _e1594 = select(_e1592, _e1589, (_e1589 > _e1592));
+                                                                    let _e1598 = select(_e1592, _e1589, (_e1589 < _e1592));
+                                                                    let _e1602 = select(_e1589, _e1586, (_e1586 < _e1589));
+                                                                    let _e1604 = select(_e1589, _e1586, (_e1586 > _e1589));
+                                                                    let _e1606 = select(_e1592, _e1604, (_e1604 < _e1592));
+                                                                    phi_2839_ = bitcast<f32>((bitcast<u32>((_e298.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1594, _e1586, (_e1586 > _e1594)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1606, _e1602, (_e1602 > _e1606)))) ^ _e298.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1598, _e1586, (_e1586 < _e1598)))) ^ _e298.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1542 + _e1549) + _e1556))) ^ _e298.member_3[0]))) * 1.0000005f)) ^ _e298.member_3[0])))) ^ _e298.member_3[0]));
                                                                 }
-                                                                let _e2090 = phi_2839_;
-                                                                phi_2857_ = (_e1892 || !(((((bitcast<f32>((bitcast<u32>((_e1946.x * _e1973)) ^ _e298.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1946.y * _e1974)) ^ _e298.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1946.z * _e1975)) ^ _e298.member_3[0]))) * f32(-(_e1891))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1946.x) & 2147483647u)) * _e1999)) ^ _e298.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1946.y) & 2147483647u)) * _e2006)) ^ _e298.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1946.z) & 2147483647u)) * _e2013)) ^ _e298.member_3[0]))))) ^ _e298.member_3[0])) + _e2090) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1633 = phi_2839_;
+                                                                phi_2857_ = (_e1435 || !(((((bitcast<f32>((bitcast<u32>((_e1489.x * _e1516)) ^ _e298.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1489.y * _e1517)) ^ _e298.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1489.z * _e1518)) ^ _e298.member_3[0]))) * f32(-(_e1434))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1489.x) & 2147483647u)) * _e1542)) ^ _e298.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1489.y) & 2147483647u)) * _e1549)) ^ _e298.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1489.z) & 2147483647u)) * _e1556)) ^ _e298.member_3[0]))))) ^ _e298.member_3[0])) + _e1633) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2104 = phi_2857_;
-                                                            phi_2858_ = _e2104;
+                                                            let _e1647 = phi_2857_;
+                                                            phi_2858_ = _e1647;
                                                         }
-                                                        let _e2106 = phi_2858_;
-                                                        if _e2106 {
-                                                            phi_2863_ = type_47(_e1319.member, true);
+                                                        let _e1649 = phi_2858_;
+                                                        if _e1649 {
+                                                            phi_2863_ = type_47(_e862.member, true);
                                                         } else {
-                                                            phi_2863_ = _e1319;
+                                                            phi_2863_ = _e862;
                                                         }
-                                                        let _e2111 = phi_2863_;
-                                                        phi_2864_ = _e2111;
+                                                        let _e1654 = phi_2863_;
+                                                        phi_2864_ = _e1654;
                                                     } else {
-                                                        phi_2864_ = _e1319;
+                                                        phi_2864_ = _e862;
                                                     }
-                                                    let _e2113 = phi_2864_;
-                                                    phi_1486_ = _e2113;
+                                                    let _e1656 = phi_2864_;
+                                                    phi_1486_ = _e1656;
                                                 } else {
                                                     phi_1486_ = type_47();
                                                 }
-                                                let _e2115 = phi_1486_;
+                                                let _e1658 = phi_1486_;
                                                 continue;
                                                 continuing {
-                                                    phi_1485_ = _e2115;
-                                                    phi_1488_ = _e1334;
-                                                    phi_4368_ = _e806;
-                                                    break if !(_e1340);
+                                                    phi_1485_ = _e1658;
+                                                    phi_1488_ = _e877;
+                                                    phi_4371_ = _e806;
+                                                    break if !(_e883);
                                                 }
                                             }
-                                            let _e2118 = phi_4368_;
-                                            phi_4560_ = _e2118;
-                                            if _e2118 {
+                                            let _e1661 = phi_4371_;
+                                            phi_4563_ = _e1661;
+                                            if _e1661 {
                                                 break;
                                             }
-                                            let _e2120 = local_10;
-                                            phi_4564_ = _e2118;
-                                            let _e2332 = local_12;
-                                            phi_4102_ = _e2332;
-                                            phi_4103_ = false;
-                                            phi_4104_ = select(_e849, 0u, _e2120.member_1);
-                                            phi_4105_ = _e851;
+                                            phi_4649_ = _e1661;
+                                            let _e2315 = local_11;
+                                            phi_2865_ = _e2315;
+                                        } else {
+                                            phi_4649_ = _e806;
+                                            phi_2865_ = _e808;
+                                        }
+                                        let _e1663 = phi_4649_;
+                                        let _e1665 = phi_2865_;
+                                        if _e855 {
+                                            phi_4095_ = bool();
+                                            phi_4096_ = u32();
+                                            phi_4097_ = type_63();
                                         } else {
                                             if (_e851.member_1 >= _e99) {
-                                                phi_3637_ = type_64(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_63(type_35(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_63(type_35(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                                phi_3631_ = type_64(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_63(type_35(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_63(type_35(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
                                                 if (_e851.member_1 < _e99) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e862 = (_e431 * 2u);
-                                                let _e864 = ((1u + _e862) % 7u);
-                                                if (_e864 < 7u) {
+                                                let _e1668 = (_e431 * 2u);
+                                                let _e1670 = ((1u + _e1668) % 7u);
+                                                if (_e1670 < 7u) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e869 = global_9.member[_e851.member_1][_e864];
-                                                let _e871 = ((_e862 + 2u) % 7u);
-                                                if (_e871 < 7u) {
+                                                let _e1675 = global_9.member[_e851.member_1][_e1670];
+                                                let _e1677 = ((_e1668 + 2u) % 7u);
+                                                if (_e1677 < 7u) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e876 = global_9.member[_e851.member_1][_e871];
-                                                let _e877 = (_e430 * 2u);
-                                                let _e879 = ((1u + _e877) % 7u);
-                                                if (_e879 < 7u) {
+                                                let _e1682 = global_9.member[_e851.member_1][_e1677];
+                                                let _e1683 = (_e430 * 2u);
+                                                let _e1685 = ((1u + _e1683) % 7u);
+                                                if (_e1685 < 7u) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e884 = global_9.member[_e851.member_1][_e879];
-                                                let _e886 = ((_e877 + 2u) % 7u);
-                                                if (_e886 < 7u) {
+                                                let _e1690 = global_9.member[_e851.member_1][_e1685];
+                                                let _e1692 = ((_e1683 + 2u) % 7u);
+                                                if (_e1692 < 7u) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e891 = global_9.member[_e851.member_1][_e886];
-                                                let _e892 = (_e432 * 2u);
-                                                let _e894 = ((1u + _e892) % 7u);
-                                                if (_e894 < 7u) {
+                                                let _e1697 = global_9.member[_e851.member_1][_e1692];
+                                                let _e1698 = (_e432 * 2u);
+                                                let _e1700 = ((1u + _e1698) % 7u);
+                                                if (_e1700 < 7u) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e899 = global_9.member[_e851.member_1][_e894];
-                                                let _e901 = ((_e892 + 2u) % 7u);
-                                                if (_e901 < 7u) {
+                                                let _e1705 = global_9.member[_e851.member_1][_e1700];
+                                                let _e1707 = ((_e1698 + 2u) % 7u);
+                                                if (_e1707 < 7u) {
                                                 } else {
-                                                    phi_4560_ = true;
+                                                    phi_4563_ = true;
                                                     break;
                                                 }
-                                                let _e906 = global_9.member[_e851.member_1][_e901];
-                                                let _e929 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.x - _e851.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e930 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.y - _e851.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e931 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.z - _e851.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e933 = select(_e157, _e929, (_e929 > _e157));
-                                                let _e935 = select(_e157, _e930, (_e930 > _e157));
-                                                let _e937 = select(_e157, _e931, (_e931 > _e157));
-                                                let _e968 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e869 & 2097151u))) - 8388608f) * _e933));
-                                                let _e973 = (bitcast<i32>((_e869 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e976 = bitcast<f32>((_e968 & bitcast<u32>(_e973)));
-                                                let _e977 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e884 & 2097151u))) - 8388608f) * _e935));
-                                                let _e982 = (bitcast<i32>((_e884 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e985 = bitcast<f32>((_e977 & bitcast<u32>(_e982)));
-                                                let _e986 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e899 & 2097151u))) - 8388608f) * _e937));
-                                                let _e991 = (bitcast<i32>((_e899 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e994 = bitcast<f32>((_e986 & bitcast<u32>(_e991)));
-                                                let _e998 = bitcast<f32>((_e968 & bitcast<u32>(~(_e973))));
-                                                let _e1002 = bitcast<f32>((_e977 & bitcast<u32>(~(_e982))));
-                                                let _e1006 = bitcast<f32>((_e986 & bitcast<u32>(~(_e991))));
-                                                let _e1007 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e876 & 2097151u))) - 8388608f) * _e933));
-                                                let _e1012 = (bitcast<i32>((_e876 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1015 = bitcast<f32>((_e1007 & bitcast<u32>(_e1012)));
-                                                let _e1016 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e891 & 2097151u))) - 8388608f) * _e935));
-                                                let _e1021 = (bitcast<i32>((_e891 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1024 = bitcast<f32>((_e1016 & bitcast<u32>(_e1021)));
-                                                let _e1025 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e906 & 2097151u))) - 8388608f) * _e937));
-                                                let _e1030 = (bitcast<i32>((_e906 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1033 = bitcast<f32>((_e1025 & bitcast<u32>(_e1030)));
-                                                let _e1037 = bitcast<f32>((_e1007 & bitcast<u32>(~(_e1012))));
-                                                let _e1041 = bitcast<f32>((_e1016 & bitcast<u32>(~(_e1021))));
-                                                let _e1045 = bitcast<f32>((_e1025 & bitcast<u32>(~(_e1030))));
-                                                let _e1075 = global_9.member[_e851.member_1][0u];
-                                                let _e1079 = global_9.member[_e851.member_1][2u];
-                                                let _e1083 = global_9.member[_e851.member_1][4u];
-                                                let _e1087 = global_9.member[_e851.member_1][6u];
-                                                let _e1099 = (((_e1079 >> bitcast<u32>(22i)) | ((_e1083 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1087 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e1100 = (_e1075 & 268435455u);
-                                                let _e1101 = (_e1099 & 268435455u);
-                                                let _e1104 = ((_e1075 >> bitcast<u32>(28u)) & 7u);
-                                                let _e1112 = ((_e1075 >> bitcast<u32>(31i)) | (((_e1099 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e1113 = (_e1104 != 0u);
-                                                if (_e1104 == 0u) {
-                                                    phi_3599_ = _e1100;
+                                                let _e1712 = global_9.member[_e851.member_1][_e1707];
+                                                let _e1735 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.x - _e851.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1736 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.y - _e851.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1737 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.z - _e851.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1739 = select(_e157, _e1735, (_e1735 > _e157));
+                                                let _e1741 = select(_e157, _e1736, (_e1736 > _e157));
+                                                let _e1743 = select(_e157, _e1737, (_e1737 > _e157));
+                                                let _e1774 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1675 & 2097151u))) - 8388608f) * _e1739));
+                                                let _e1779 = (bitcast<i32>((_e1675 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1782 = bitcast<f32>((_e1774 & bitcast<u32>(_e1779)));
+                                                let _e1783 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1690 & 2097151u))) - 8388608f) * _e1741));
+                                                let _e1788 = (bitcast<i32>((_e1690 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1791 = bitcast<f32>((_e1783 & bitcast<u32>(_e1788)));
+                                                let _e1792 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1705 & 2097151u))) - 8388608f) * _e1743));
+                                                let _e1797 = (bitcast<i32>((_e1705 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1800 = bitcast<f32>((_e1792 & bitcast<u32>(_e1797)));
+                                                let _e1804 = bitcast<f32>((_e1774 & bitcast<u32>(~(_e1779))));
+                                                let _e1808 = bitcast<f32>((_e1783 & bitcast<u32>(~(_e1788))));
+                                                let _e1812 = bitcast<f32>((_e1792 & bitcast<u32>(~(_e1797))));
+                                                let _e1813 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1682 & 2097151u))) - 8388608f) * _e1739));
+                                                let _e1818 = (bitcast<i32>((_e1682 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1821 = bitcast<f32>((_e1813 & bitcast<u32>(_e1818)));
+                                                let _e1822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1697 & 2097151u))) - 8388608f) * _e1741));
+                                                let _e1827 = (bitcast<i32>((_e1697 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1830 = bitcast<f32>((_e1822 & bitcast<u32>(_e1827)));
+                                                let _e1831 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1712 & 2097151u))) - 8388608f) * _e1743));
+                                                let _e1836 = (bitcast<i32>((_e1712 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1839 = bitcast<f32>((_e1831 & bitcast<u32>(_e1836)));
+                                                let _e1843 = bitcast<f32>((_e1813 & bitcast<u32>(~(_e1818))));
+                                                let _e1847 = bitcast<f32>((_e1822 & bitcast<u32>(~(_e1827))));
+                                                let _e1851 = bitcast<f32>((_e1831 & bitcast<u32>(~(_e1836))));
+                                                let _e1881 = global_9.member[_e851.member_1][0u];
+                                                let _e1885 = global_9.member[_e851.member_1][2u];
+                                                let _e1889 = global_9.member[_e851.member_1][4u];
+                                                let _e1893 = global_9.member[_e851.member_1][6u];
+                                                let _e1905 = (((_e1885 >> bitcast<u32>(22i)) | ((_e1889 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1893 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1906 = (_e1881 & 268435455u);
+                                                let _e1907 = (_e1905 & 268435455u);
+                                                let _e1910 = ((_e1881 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1918 = ((_e1881 >> bitcast<u32>(31i)) | (((_e1905 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1919 = (_e1910 != 0u);
+                                                if (_e1910 == 0u) {
+                                                    phi_3593_ = _e1906;
                                                 } else {
-                                                    if (_e1104 == 7u) {
-                                                        phi_3598_ = 2147483648u;
+                                                    if (_e1910 == 7u) {
+                                                        phi_3592_ = 2147483648u;
                                                     } else {
-                                                        phi_3598_ = ((2147483648u | (_e1104 << bitcast<u32>(28u))) | (_e1101 & 268435455u));
+                                                        phi_3592_ = ((2147483648u | (_e1910 << bitcast<u32>(28u))) | (_e1907 & 268435455u));
                                                     }
-                                                    let _e1122 = phi_3598_;
-                                                    phi_3599_ = _e1122;
+                                                    let _e1928 = phi_3592_;
+                                                    phi_3593_ = _e1928;
                                                 }
-                                                let _e1124 = phi_3599_;
-                                                if _e1113 {
-                                                    let _e1125 = (_e1104 != 7u);
-                                                    if _e1125 {
-                                                        phi_3609_ = (_e1101 + _e1104);
+                                                let _e1930 = phi_3593_;
+                                                if _e1919 {
+                                                    let _e1931 = (_e1910 != 7u);
+                                                    if _e1931 {
+                                                        phi_3603_ = (_e1907 + _e1910);
                                                     } else {
-                                                        phi_3609_ = u32();
+                                                        phi_3603_ = u32();
                                                     }
-                                                    let _e1128 = phi_3609_;
-                                                    phi_3611_ = _e1128;
-                                                    phi_3612_ = select(true, false, _e1125);
+                                                    let _e1934 = phi_3603_;
+                                                    phi_3605_ = _e1934;
+                                                    phi_3606_ = select(true, false, _e1931);
                                                 } else {
-                                                    phi_3611_ = u32();
-                                                    phi_3612_ = true;
+                                                    phi_3605_ = u32();
+                                                    phi_3606_ = true;
                                                 }
-                                                let _e1131 = phi_3611_;
-                                                let _e1133 = phi_3612_;
-                                                if (_e1112 == 0u) {
-                                                    phi_3633_ = (_e1100 + select(0u, 1u, !(_e1113)));
+                                                let _e1937 = phi_3605_;
+                                                let _e1939 = phi_3606_;
+                                                if (_e1918 == 0u) {
+                                                    phi_3627_ = (_e1906 + select(0u, 1u, !(_e1919)));
                                                 } else {
-                                                    if (_e1112 == 7u) {
-                                                        phi_3632_ = 2147483648u;
+                                                    if (_e1918 == 7u) {
+                                                        phi_3626_ = 2147483648u;
                                                     } else {
-                                                        phi_3632_ = ((2147483648u | (_e1112 << bitcast<u32>(28u))) | (select(_e1131, _e1101, _e1133) & 268435455u));
+                                                        phi_3626_ = ((2147483648u | (_e1918 << bitcast<u32>(28u))) | (select(_e1937, _e1907, _e1939) & 268435455u));
                                                     }
-                                                    let _e1146 = phi_3632_;
-                                                    phi_3633_ = _e1146;
+                                                    let _e1952 = phi_3626_;
+                                                    phi_3627_ = _e1952;
                                                 }
-                                                let _e1148 = phi_3633_;
-                                                phi_3637_ = type_64(array<vec4<f32>, 3>(vec4<f32>((_e851.member.member.x + _e976), (_e851.member.member.x + _e998), (_e851.member.member_1.x - _e1015), (_e851.member.member_1.x - _e1037)), vec4<f32>((_e851.member.member.y + _e985), (_e851.member.member.y + _e1002), (_e851.member.member_1.y - _e1024), (_e851.member.member_1.y - _e1041)), vec4<f32>((_e851.member.member.z + _e994), (_e851.member.member.z + _e1006), (_e851.member.member_1.z - _e1033), (_e851.member.member_1.z - _e1045))), type_63(type_35((_e851.member.member + vec4<f32>(_e976, _e985, _e994, 0f)), (_e851.member.member_1 - vec4<f32>(_e1015, _e1024, _e1033, 0f))), _e1124), type_63(type_35((_e851.member.member + vec4<f32>(_e998, _e1002, _e1006, 0f)), (_e851.member.member_1 - vec4<f32>(_e1037, _e1041, _e1045, 0f))), _e1148));
+                                                let _e1954 = phi_3627_;
+                                                phi_3631_ = type_64(array<vec4<f32>, 3>(vec4<f32>((_e851.member.member.x + _e1782), (_e851.member.member.x + _e1804), (_e851.member.member_1.x - _e1821), (_e851.member.member_1.x - _e1843)), vec4<f32>((_e851.member.member.y + _e1791), (_e851.member.member.y + _e1808), (_e851.member.member_1.y - _e1830), (_e851.member.member_1.y - _e1847)), vec4<f32>((_e851.member.member.z + _e1800), (_e851.member.member.z + _e1812), (_e851.member.member_1.z - _e1839), (_e851.member.member_1.z - _e1851))), type_63(type_35((_e851.member.member + vec4<f32>(_e1782, _e1791, _e1800, 0f)), (_e851.member.member_1 - vec4<f32>(_e1821, _e1830, _e1839, 0f))), _e1930), type_63(type_35((_e851.member.member + vec4<f32>(_e1804, _e1808, _e1812, 0f)), (_e851.member.member_1 - vec4<f32>(_e1843, _e1847, _e1851, 0f))), _e1954));
                                             }
-                                            let _e1153 = phi_3637_;
-                                            let _e1165 = ((_e1153.member[0].x - _e516) * _e521);
-                                            let _e1166 = ((_e1153.member[0].y - _e516) * _e521);
-                                            let _e1167 = ((_e1153.member[0].z - _e517) * _e521);
-                                            let _e1168 = ((_e1153.member[0].w - _e517) * _e521);
-                                            let _e1178 = ((_e1153.member[1].x - _e582) * _e587);
-                                            let _e1179 = ((_e1153.member[1].y - _e582) * _e587);
-                                            let _e1180 = ((_e1153.member[1].z - _e583) * _e587);
-                                            let _e1181 = ((_e1153.member[1].w - _e583) * _e587);
-                                            let _e1191 = ((_e1153.member[2].x - _e648) * _e653);
-                                            let _e1192 = ((_e1153.member[2].y - _e648) * _e653);
-                                            let _e1193 = ((_e1153.member[2].z - _e649) * _e653);
-                                            let _e1194 = ((_e1153.member[2].w - _e649) * _e653);
-                                            let _e1196 = select(_e1193, _e1191, (_e1191 < _e1193));
-                                            let _e1198 = select(_e1194, _e1192, (_e1192 < _e1194));
-                                            let _e1200 = select(_e1193, _e1191, (_e1191 > _e1193));
-                                            let _e1202 = select(_e1194, _e1192, (_e1192 > _e1194));
-                                            let _e1204 = select(_e1167, _e1165, (_e1165 < _e1167));
-                                            let _e1206 = select(_e1168, _e1166, (_e1166 < _e1168));
-                                            let _e1208 = select(_e1180, _e1178, (_e1178 < _e1180));
-                                            let _e1210 = select(_e1181, _e1179, (_e1179 < _e1181));
-                                            let _e1212 = select(_e1208, _e1204, (_e1204 > _e1208));
-                                            let _e1214 = select(_e1210, _e1206, (_e1206 > _e1210));
-                                            let _e1216 = select(_e1196, _e1212, (_e1212 > _e1196));
-                                            let _e1218 = select(_e1198, _e1214, (_e1214 > _e1198));
-                                            let _e1220 = select(_e1167, _e1165, (_e1165 > _e1167));
-                                            let _e1222 = select(_e1168, _e1166, (_e1166 > _e1168));
-                                            let _e1224 = select(_e1180, _e1178, (_e1178 > _e1180));
-                                            let _e1226 = select(_e1181, _e1179, (_e1179 > _e1181));
-                                            let _e1228 = select(_e1224, _e1220, (_e1220 < _e1224));
-                                            let _e1230 = select(_e1226, _e1222, (_e1222 < _e1226));
-                                            let _e1235 = -(_e1196);
-                                            let _e1236 = -(_e1198);
-                                            let _e1243 = (select(_e1200, _e1228, (_e1228 < _e1200)) + (select(_e1235, _e1200, (_e1200 > _e1235)) * 0.0000019073523f));
-                                            let _e1244 = (select(_e1202, _e1230, (_e1230 < _e1202)) + (select(_e1236, _e1202, (_e1202 > _e1236)) * 0.0000019073523f));
-                                            let _e1246 = select(_e764, _e1216, (_e1216 > _e764));
-                                            let _e1248 = select(_e764, _e1218, (_e1218 > _e764));
-                                            let _e1253 = (_e1246 <= select(_e808.member, _e1243, (_e1243 < _e808.member)));
-                                            let _e1254 = (_e1248 <= select(_e808.member, _e1244, (_e1244 < _e808.member)));
-                                            let _e1255 = (_e1246 <= _e1248);
-                                            if _e1253 {
-                                                if _e1254 {
-                                                    if _e1255 {
-                                                        phi_3999_ = _e1153.member_2;
+                                            let _e1959 = phi_3631_;
+                                            let _e1971 = ((_e1959.member[0].x - _e516) * _e521);
+                                            let _e1972 = ((_e1959.member[0].y - _e516) * _e521);
+                                            let _e1973 = ((_e1959.member[0].z - _e517) * _e521);
+                                            let _e1974 = ((_e1959.member[0].w - _e517) * _e521);
+                                            let _e1984 = ((_e1959.member[1].x - _e582) * _e587);
+                                            let _e1985 = ((_e1959.member[1].y - _e582) * _e587);
+                                            let _e1986 = ((_e1959.member[1].z - _e583) * _e587);
+                                            let _e1987 = ((_e1959.member[1].w - _e583) * _e587);
+                                            let _e1997 = ((_e1959.member[2].x - _e648) * _e653);
+                                            let _e1998 = ((_e1959.member[2].y - _e648) * _e653);
+                                            let _e1999 = ((_e1959.member[2].z - _e649) * _e653);
+                                            let _e2000 = ((_e1959.member[2].w - _e649) * _e653);
+                                            let _e2002 = select(_e1999, _e1997, (_e1997 < _e1999));
+                                            let _e2004 = select(_e2000, _e1998, (_e1998 < _e2000));
+                                            let _e2006 = select(_e1999, _e1997, (_e1997 > _e1999));
+                                            let _e2008 = select(_e2000, _e1998, (_e1998 > _e2000));
+                                            let _e2010 = select(_e1973, _e1971, (_e1971 < _e1973));
+                                            let _e2012 = select(_e1974, _e1972, (_e1972 < _e1974));
+                                            let _e2014 = select(_e1986, _e1984, (_e1984 < _e1986));
+                                            let _e2016 = select(_e1987, _e1985, (_e1985 < _e1987));
+                                            let _e2018 = select(_e2014, _e2010, (_e2010 > _e2014));
+                                            let _e2020 = select(_e2016, _e2012, (_e2012 > _e2016));
+                                            let _e2022 = select(_e2002, _e2018, (_e2018 > _e2002));
+                                            let _e2024 = select(_e2004, _e2020, (_e2020 > _e2004));
+                                            let _e2026 = select(_e1973, _e1971, (_e1971 > _e1973));
+                                            let _e2028 = select(_e1974, _e1972, (_e1972 > _e1974));
+                                            let _e2030 = select(_e1986, _e1984, (_e1984 > _e1986));
+                                            let _e2032 = select(_e1987, _e1985, (_e1985 > _e1987));
+                                            let _e2034 = select(_e2030, _e2026, (_e2026 < _e2030));
+                                            let _e2036 = select(_e2032, _e2028, (_e2028 < _e2032));
+                                            let _e2041 = -(_e2002);
+                                            let _e2042 = -(_e2004);
+                                            let _e2049 = (select(_e2006, _e2034, (_e2034 < _e2006)) + (select(_e2041, _e2006, (_e2006 > _e2041)) * 0.0000019073523f));
+                                            let _e2050 = (select(_e2008, _e2036, (_e2036 < _e2008)) + (select(_e2042, _e2008, (_e2008 > _e2042)) * 0.0000019073523f));
+                                            let _e2052 = select(_e764, _e2022, (_e2022 > _e764));
+                                            let _e2054 = select(_e764, _e2024, (_e2024 > _e764));
+                                            let _e2059 = (_e2052 <= select(_e1665.member, _e2049, (_e2049 < _e1665.member)));
+                                            let _e2060 = (_e2054 <= select(_e1665.member, _e2050, (_e2050 < _e1665.member)));
+                                            let _e2061 = (_e2052 <= _e2054);
+                                            if _e2059 {
+                                                if _e2060 {
+                                                    if _e2061 {
+                                                        phi_3993_ = _e1959.member_2;
                                                     } else {
-                                                        phi_3999_ = _e1153.member_1;
+                                                        phi_3993_ = _e1959.member_1;
                                                     }
-                                                    let _e1259 = phi_3999_;
-                                                    let _e1281 = (_e849 % 128u);
-                                                    let _e1282 = (_e1281 < 128u);
-                                                    if _e1282 {
+                                                    let _e2065 = phi_3993_;
+                                                    let _e2086 = (_e849 % 128u);
+                                                    let _e2087 = (_e2086 < 128u);
+                                                    if _e2087 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1281] = _e1259.member_1;
-                                                    if _e1282 {
+                                                    local_8[_e2086] = _e2065.member_1;
+                                                    if _e2087 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1281] = _e1259.member.member.x;
-                                                    if _e1282 {
+                                                    local_7[_e2086] = _e2065.member.member.x;
+                                                    if _e2087 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1281] = _e1259.member.member.y;
-                                                    if _e1282 {
+                                                    local_6[_e2086] = _e2065.member.member.y;
+                                                    if _e2087 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1281] = _e1259.member.member.z;
-                                                    if _e1282 {
+                                                    local_5[_e2086] = _e2065.member.member.z;
+                                                    if _e2087 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1281] = _e1259.member.member_1.x;
-                                                    if _e1282 {
+                                                    local_4[_e2086] = _e2065.member.member_1.x;
+                                                    if _e2087 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1281] = _e1259.member.member_1.y;
-                                                    if _e1282 {
+                                                    local_3[_e2086] = _e2065.member.member_1.y;
+                                                    if _e2087 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1281] = _e1259.member.member_1.z;
-                                                    if _e1282 {
+                                                    local_2[_e2086] = _e2065.member.member_1.z;
+                                                    if _e2087 {
                                                     } else {
-                                                        phi_4560_ = true;
+                                                        phi_4563_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1281] = select(_e1248, _e1246, !(_e1255));
-                                                    if _e1255 {
-                                                        phi_4076_ = _e1153.member_1;
+                                                    local_9[_e2086] = select(_e2052, _e2054, _e2061);
+                                                    if _e2061 {
+                                                        phi_4069_ = _e1959.member_1;
                                                     } else {
-                                                        phi_4076_ = _e1153.member_2;
+                                                        phi_4069_ = _e1959.member_2;
                                                     }
-                                                    let _e1295 = phi_4076_;
-                                                    phi_4077_ = (_e849 + 1u);
-                                                    phi_4078_ = _e1295;
+                                                    let _e2100 = phi_4069_;
+                                                    phi_4070_ = (_e849 + 1u);
+                                                    phi_4071_ = _e2100;
                                                 } else {
-                                                    phi_4077_ = u32();
-                                                    phi_4078_ = type_63();
+                                                    phi_4070_ = u32();
+                                                    phi_4071_ = type_63();
                                                 }
-                                                let _e1297 = phi_4077_;
-                                                let _e1299 = phi_4078_;
-                                                phi_4080_ = _e1297;
-                                                phi_4081_ = _e1299;
-                                                phi_4082_ = select(true, false, _e1254);
+                                                let _e2102 = phi_4070_;
+                                                let _e2104 = phi_4071_;
+                                                phi_4073_ = _e2102;
+                                                phi_4074_ = _e2104;
+                                                phi_4075_ = select(true, false, _e2060);
                                             } else {
-                                                phi_4080_ = u32();
-                                                phi_4081_ = type_63();
-                                                phi_4082_ = true;
+                                                phi_4073_ = u32();
+                                                phi_4074_ = type_63();
+                                                phi_4075_ = true;
                                             }
-                                            let _e1302 = phi_4080_;
-                                            let _e1304 = phi_4081_;
-                                            let _e1306 = phi_4082_;
-                                            if _e1306 {
-                                                if _e1253 {
-                                                    phi_4091_ = _e1153.member_1;
+                                            let _e2107 = phi_4073_;
+                                            let _e2109 = phi_4074_;
+                                            let _e2111 = phi_4075_;
+                                            if _e2111 {
+                                                if _e2059 {
+                                                    phi_4084_ = _e1959.member_1;
                                                 } else {
-                                                    phi_4091_ = _e1153.member_2;
+                                                    phi_4084_ = _e1959.member_2;
                                                 }
-                                                let _e1310 = phi_4091_;
-                                                phi_4096_ = select(_e1254, true, _e1253);
-                                                phi_4098_ = _e1310;
+                                                let _e2115 = phi_4084_;
+                                                phi_4089_ = select(_e2060, true, _e2059);
+                                                phi_4091_ = _e2115;
                                             } else {
-                                                phi_4096_ = _e847;
-                                                phi_4098_ = _e1304;
+                                                phi_4089_ = _e847;
+                                                phi_4091_ = _e2109;
                                             }
-                                            let _e1313 = phi_4096_;
-                                            let _e1315 = phi_4098_;
-                                            phi_4564_ = _e806;
-                                            phi_4102_ = _e808;
-                                            phi_4103_ = _e1313;
-                                            phi_4104_ = select(_e1302, _e849, _e1306);
-                                            phi_4105_ = _e1315;
+                                            let _e2118 = phi_4089_;
+                                            let _e2120 = phi_4091_;
+                                            phi_4095_ = _e2118;
+                                            phi_4096_ = select(_e2107, _e849, _e2111);
+                                            phi_4097_ = _e2120;
                                         }
-                                        let _e2124 = phi_4564_;
-                                        let _e2126 = phi_4102_;
-                                        let _e2128 = phi_4103_;
-                                        let _e2130 = phi_4104_;
-                                        let _e2132 = phi_4105_;
-                                        phi_4563_ = _e2124;
-                                        phi_4106_ = _e2126;
-                                        phi_4107_ = _e2128;
-                                        phi_4108_ = (_e812 - 1u);
-                                        phi_4109_ = _e2130;
-                                        phi_4110_ = _e2132;
+                                        let _e2123 = phi_4095_;
+                                        let _e2125 = phi_4096_;
+                                        let _e2127 = phi_4097_;
+                                        if _e855 {
+                                            phi_4107_ = select(_e849, 0u, _e1665.member_1);
+                                            phi_4108_ = _e851;
+                                        } else {
+                                            phi_4107_ = _e2125;
+                                            phi_4108_ = _e2127;
+                                        }
+                                        let _e2131 = phi_4107_;
+                                        let _e2133 = phi_4108_;
+                                        phi_4566_ = _e1663;
+                                        phi_4109_ = _e1665;
+                                        phi_4110_ = (_e810 - 1u);
+                                        phi_4111_ = select(_e2123, false, _e855);
+                                        phi_4112_ = _e2131;
+                                        phi_4113_ = _e2133;
                                     } else {
-                                        phi_4563_ = _e806;
-                                        phi_4106_ = _e808;
-                                        phi_4107_ = _e847;
-                                        phi_4108_ = _e812;
-                                        phi_4109_ = _e849;
-                                        phi_4110_ = _e851;
+                                        phi_4566_ = _e806;
+                                        phi_4109_ = _e808;
+                                        phi_4110_ = _e810;
+                                        phi_4111_ = _e847;
+                                        phi_4112_ = _e849;
+                                        phi_4113_ = _e851;
                                     }
-                                    let _e2134 = phi_4563_;
-                                    let _e2136 = phi_4106_;
-                                    let _e2138 = phi_4107_;
-                                    let _e2140 = phi_4108_;
-                                    let _e2142 = phi_4109_;
-                                    let _e2144 = phi_4110_;
-                                    phi_4562_ = _e2134;
-                                    phi_4111_ = _e2136;
-                                    phi_4112_ = _e2138;
-                                    phi_4113_ = _e2140;
-                                    phi_4114_ = _e2142;
-                                    phi_4115_ = _e2144;
+                                    let _e2136 = phi_4566_;
+                                    let _e2138 = phi_4109_;
+                                    let _e2140 = phi_4110_;
+                                    let _e2142 = phi_4111_;
+                                    let _e2144 = phi_4112_;
+                                    let _e2146 = phi_4113_;
+                                    phi_4565_ = _e2136;
+                                    phi_4114_ = _e2138;
+                                    phi_4115_ = _e2140;
+                                    phi_4116_ = _e2142;
+                                    phi_4117_ = _e2144;
+                                    phi_4118_ = _e2146;
                                 } else {
-                                    phi_4562_ = _e806;
-                                    phi_4111_ = type_47();
-                                    phi_4112_ = bool();
-                                    phi_4113_ = u32();
-                                    phi_4114_ = u32();
-                                    phi_4115_ = type_63();
+                                    phi_4565_ = _e806;
+                                    phi_4114_ = type_47();
+                                    phi_4115_ = u32();
+                                    phi_4116_ = bool();
+                                    phi_4117_ = u32();
+                                    phi_4118_ = type_63();
                                 }
-                                let _e2146 = phi_4562_;
-                                let _e2148 = phi_4111_;
-                                let _e2150 = phi_4112_;
-                                let _e2152 = phi_4113_;
-                                let _e2154 = phi_4114_;
-                                let _e2156 = phi_4115_;
-                                phi_4561_ = _e2146;
-                                phi_1360_ = _e2148;
-                                phi_1363_ = _e2150;
-                                phi_1365_ = _e2152;
-                                phi_1367_ = _e2154;
-                                phi_1369_ = _e2156;
-                                phi_4116_ = _e820;
+                                let _e2148 = phi_4565_;
+                                let _e2150 = phi_4114_;
+                                let _e2152 = phi_4115_;
+                                let _e2154 = phi_4116_;
+                                let _e2156 = phi_4117_;
+                                let _e2158 = phi_4118_;
+                                phi_4564_ = _e2148;
+                                phi_1360_ = _e2150;
+                                phi_1363_ = _e2152;
+                                phi_1365_ = _e2154;
+                                phi_1367_ = _e2156;
+                                phi_1369_ = _e2158;
+                                phi_4119_ = _e820;
                             } else {
-                                phi_4561_ = _e806;
+                                phi_4564_ = _e806;
                                 phi_1360_ = type_47();
-                                phi_1363_ = bool();
-                                phi_1365_ = u32();
+                                phi_1363_ = u32();
+                                phi_1365_ = bool();
                                 phi_1367_ = u32();
                                 phi_1369_ = type_63();
-                                phi_4116_ = false;
+                                phi_4119_ = false;
                             }
-                            let _e2158 = phi_4561_;
-                            let _e2160 = phi_1360_;
-                            let _e2162 = phi_1363_;
-                            let _e2164 = phi_1365_;
-                            let _e2166 = phi_1367_;
-                            let _e2168 = phi_1369_;
-                            let _e2170 = phi_4116_;
+                            let _e2160 = phi_4564_;
+                            let _e2162 = phi_1360_;
+                            let _e2164 = phi_1363_;
+                            let _e2166 = phi_1365_;
+                            let _e2168 = phi_1367_;
+                            let _e2170 = phi_1369_;
+                            let _e2172 = phi_4119_;
                             continue;
                             continuing {
-                                phi_4374_ = _e2158;
-                                phi_1359_ = _e2160;
-                                phi_1362_ = _e2162;
-                                phi_1364_ = _e2164;
-                                phi_1366_ = _e2166;
-                                phi_1368_ = _e2168;
-                                phi_4560_ = _e2158;
-                                break if !(_e2170);
+                                phi_4377_ = _e2160;
+                                phi_1359_ = _e2162;
+                                phi_1362_ = _e2164;
+                                phi_1364_ = _e2166;
+                                phi_1366_ = _e2168;
+                                phi_1368_ = _e2170;
+                                phi_4563_ = _e2160;
+                                break if !(_e2172);
                             }
                         }
-                        let _e2173 = phi_4560_;
-                        if _e2173 {
+                        let _e2175 = phi_4563_;
+                        if _e2175 {
                             break;
                         }
-                        let _e2175 = local_11;
-                        if _e2175.member_1 {
+                        let _e2177 = local_10;
+                        if _e2177.member_1 {
                         } else {
                             if _e299 {
                             } else {
                                 break;
                             }
-                            let _e2179 = global_2.member[_e145];
+                            let _e2181 = global_2.member[_e145];
                             if _e160 {
                             } else {
                                 break;
                             }
-                            let _e2183 = global_10.member[_e145].member_1;
+                            let _e2185 = global_10.member[_e145].member_1;
                             if _e299 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e145] = type_28(_e2179.member, _e2179.member_1, _e2179.member_2, array<f32, 3>((_e2179.member_3[0] + (_e2183[0] * _e2179.member_1[0])), (_e2179.member_3[1] + (_e2183[1] * _e2179.member_1[1])), (_e2179.member_3[2] + (_e2183[2] * _e2179.member_1[2]))), _e2179.member_4);
+                            global_2.member[_e145] = type_28(_e2181.member, _e2181.member_1, _e2181.member_2, array<f32, 3>((_e2181.member_3[0] + (_e2185[0] * _e2181.member_1[0])), (_e2181.member_3[1] + (_e2185[1] * _e2181.member_1[1])), (_e2181.member_3[2] + (_e2185[2] * _e2181.member_1[2]))), _e2181.member_4);
                         }
                     }
                 }

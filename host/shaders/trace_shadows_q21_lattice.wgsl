@@ -161,36 +161,16 @@ fn function_() {
     var phi_1261_: u32;
     var phi_1269_: f32;
     var phi_1270_: f32;
-    var phi_5042_: bool;
+    var phi_5045_: bool;
     var phi_1366_: type_42;
-    var phi_1369_: bool;
-    var phi_1371_: u32;
+    var phi_1369_: u32;
+    var phi_1371_: bool;
     var phi_1373_: u32;
     var phi_1375_: type_58;
     var phi_1386_: bool;
     var phi_1472_: bool;
     var phi_1473_: u32;
     var phi_1474_: type_58;
-    var phi_4006_: u32;
-    var phi_4012_: u32;
-    var phi_4266_: u32;
-    var phi_4267_: u32;
-    var phi_4277_: u32;
-    var phi_4279_: u32;
-    var phi_4280_: bool;
-    var phi_4300_: u32;
-    var phi_4301_: u32;
-    var phi_4305_: type_59;
-    var phi_4667_: type_58;
-    var phi_4744_: type_58;
-    var phi_4745_: u32;
-    var phi_4746_: type_58;
-    var phi_4748_: u32;
-    var phi_4749_: type_58;
-    var phi_4750_: bool;
-    var phi_4759_: type_58;
-    var phi_4764_: bool;
-    var phi_4766_: type_58;
     var phi_1493_: type_42;
     var phi_1496_: type_8;
     var phi_1497_: type_8;
@@ -279,35 +259,56 @@ fn function_() {
     var phi_3496_: type_42;
     var phi_3497_: type_42;
     var phi_1494_: type_42;
-    var phi_5036_: bool;
-    var local_10: type_42;
+    var phi_5039_: bool;
+    var phi_5369_: bool;
+    var phi_3498_: type_42;
+    var phi_4000_: u32;
+    var phi_4006_: u32;
+    var phi_4260_: u32;
+    var phi_4261_: u32;
+    var phi_4271_: u32;
+    var phi_4273_: u32;
+    var phi_4274_: bool;
+    var phi_4294_: u32;
+    var phi_4295_: u32;
+    var phi_4299_: type_59;
+    var phi_4661_: type_58;
+    var phi_4737_: type_58;
+    var phi_4738_: u32;
+    var phi_4739_: type_58;
+    var phi_4741_: u32;
+    var phi_4742_: type_58;
+    var phi_4743_: bool;
+    var phi_4752_: type_58;
+    var phi_4757_: bool;
+    var phi_4759_: type_58;
+    var phi_4763_: bool;
+    var phi_4764_: u32;
+    var phi_4765_: type_58;
+    var phi_4775_: u32;
+    var phi_4776_: type_58;
+    var phi_5281_: bool;
+    var phi_4777_: type_42;
+    var phi_4778_: u32;
+    var phi_4779_: bool;
+    var phi_4780_: u32;
+    var phi_4781_: type_58;
+    var phi_5280_: bool;
+    var phi_4782_: type_42;
+    var phi_4783_: u32;
+    var phi_4784_: bool;
+    var phi_4785_: u32;
+    var phi_4786_: type_58;
     var phi_5279_: bool;
-    var phi_4770_: type_42;
-    var phi_4771_: bool;
-    var phi_4772_: u32;
-    var phi_4773_: type_58;
-    var phi_5278_: bool;
-    var phi_4774_: type_42;
-    var phi_4775_: bool;
-    var phi_4776_: u32;
-    var phi_4777_: u32;
-    var phi_4778_: type_58;
-    var phi_5277_: bool;
-    var phi_4779_: type_42;
-    var phi_4780_: bool;
-    var phi_4781_: u32;
-    var phi_4782_: u32;
-    var phi_4783_: type_58;
-    var phi_5276_: bool;
     var phi_1367_: type_42;
-    var phi_1370_: bool;
-    var phi_1372_: u32;
+    var phi_1370_: u32;
+    var phi_1372_: bool;
     var phi_1374_: u32;
     var phi_1376_: type_58;
-    var phi_4784_: bool;
-    var phi_5275_: bool;
+    var phi_4787_: bool;
+    var phi_5278_: bool;
+    var local_10: type_42;
     var local_11: type_42;
-    var local_12: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -729,31 +730,31 @@ fn function_() {
                             break;
                         }
                         let _e801 = local[_e785];
-                        phi_5042_ = false;
+                        phi_5045_ = false;
                         phi_1366_ = type_42(_e767, false);
-                        phi_1369_ = (_e769 <= _e767);
-                        phi_1371_ = ((3u * _e103) + 1u);
+                        phi_1369_ = ((3u * _e103) + 1u);
+                        phi_1371_ = (_e769 <= _e767);
                         phi_1373_ = 0u;
                         phi_1375_ = type_58(type_30(vec4<f32>((f32(_e776) * _e162), (f32(_e782) * _e162), (f32(_e788) * _e162), 0f), vec4<f32>((f32(_e793) * _e162), (f32(_e797) * _e162), (f32(_e801) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
                         loop {
-                            let _e811 = phi_5042_;
+                            let _e811 = phi_5045_;
                             let _e813 = phi_1366_;
                             let _e815 = phi_1369_;
                             let _e817 = phi_1371_;
                             let _e819 = phi_1373_;
                             let _e821 = phi_1375_;
-                            local_11 = _e813;
-                            if _e815 {
+                            local_10 = _e813;
+                            if _e817 {
                                 phi_1386_ = true;
                             } else {
                                 phi_1386_ = (_e819 > 0u);
                             }
                             let _e824 = phi_1386_;
                             if _e824 {
-                                let _e825 = (_e817 > 0u);
+                                let _e825 = (_e815 > 0u);
                                 if _e825 {
-                                    if _e815 {
-                                        phi_1472_ = _e815;
+                                    if _e817 {
+                                        phi_1472_ = _e817;
                                         phi_1473_ = _e819;
                                         phi_1474_ = _e821;
                                     } else {
@@ -762,49 +763,49 @@ fn function_() {
                                         let _e828 = (_e827 < 128u);
                                         if _e828 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e830 = local_7[_e827];
                                         if _e828 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e832 = local_6[_e827];
                                         if _e828 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e834 = local_5[_e827];
                                         if _e828 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e836 = local_4[_e827];
                                         if _e828 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e838 = local_3[_e827];
                                         if _e828 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e840 = local_2[_e827];
                                         if _e828 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e845 = local_8[_e827];
                                         if _e828 {
                                         } else {
-                                            phi_5275_ = true;
+                                            phi_5278_ = true;
                                             break;
                                         }
                                         let _e848 = local_9[_e827];
@@ -816,39 +817,39 @@ fn function_() {
                                     let _e854 = phi_1473_;
                                     let _e856 = phi_1474_;
                                     if _e852 {
+                                        let _e860 = ((_e856.member_1 & 2147483648u) != 0u);
                                         let _e861 = (_e856.member_1 & 268435455u);
-                                        if ((_e856.member_1 & 2147483648u) != 0u) {
+                                        if _e860 {
                                             phi_1493_ = _e813;
                                             phi_1496_ = type_8(0u, ((_e856.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1345 = phi_1493_;
-                                                let _e1347 = phi_1496_;
-                                                local_10 = _e1345;
-                                                local_12 = _e1345;
-                                                if (_e1347.member < _e1347.member_1) {
-                                                    phi_1497_ = type_8((_e1347.member + 1u), _e1347.member_1);
-                                                    phi_1519_ = type_8(1u, _e1347.member);
+                                                let _e868 = phi_1493_;
+                                                let _e870 = phi_1496_;
+                                                local_11 = _e868;
+                                                if (_e870.member < _e870.member_1) {
+                                                    phi_1497_ = type_8((_e870.member + 1u), _e870.member_1);
+                                                    phi_1519_ = type_8(1u, _e870.member);
                                                 } else {
-                                                    phi_1497_ = _e1347;
+                                                    phi_1497_ = _e870;
                                                     phi_1519_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1360 = phi_1497_;
-                                                let _e1362 = phi_1519_;
-                                                let _e1366 = (bitcast<i32>(_e1362.member) != 0i);
-                                                if _e1366 {
-                                                    let _e1371 = (_e856.member.member_1.x - _e856.member.member.x);
-                                                    let _e1374 = (_e856.member.member_1.y - _e856.member.member.y);
-                                                    let _e1377 = (_e856.member.member_1.z - _e856.member.member.z);
-                                                    let _e1379 = select(_e1374, _e1371, (_e1371 > _e1374));
-                                                    let _e1381 = select(_e1377, _e1379, (_e1379 > _e1377));
-                                                    let _e1383 = (_e1381 < (1024f * _e162));
-                                                    if _e1383 {
+                                                let _e883 = phi_1497_;
+                                                let _e885 = phi_1519_;
+                                                let _e889 = (bitcast<i32>(_e885.member) != 0i);
+                                                if _e889 {
+                                                    let _e894 = (_e856.member.member_1.x - _e856.member.member.x);
+                                                    let _e897 = (_e856.member.member_1.y - _e856.member.member.y);
+                                                    let _e900 = (_e856.member.member_1.z - _e856.member.member.z);
+                                                    let _e902 = select(_e897, _e894, (_e894 > _e897));
+                                                    let _e904 = select(_e900, _e902, (_e902 > _e900));
+                                                    let _e906 = (_e904 < (1024f * _e162));
+                                                    if _e906 {
                                                         phi_1560_ = 0u;
                                                     } else {
-                                                        phi_1560_ = select(2u, 1u, (_e1381 < (2097152f * _e162)));
+                                                        phi_1560_ = select(2u, 1u, (_e904 < (2097152f * _e162)));
                                                     }
-                                                    let _e1388 = phi_1560_;
-                                                    switch bitcast<i32>(_e1388) {
+                                                    let _e911 = phi_1560_;
+                                                    switch bitcast<i32>(_e911) {
                                                         case 0: {
                                                             phi_1566_ = 1u;
                                                             break;
@@ -866,8 +867,8 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1391 = phi_1566_;
-                                                    switch bitcast<i32>(_e1388) {
+                                                    let _e914 = phi_1566_;
+                                                    switch bitcast<i32>(_e911) {
                                                         case 0: {
                                                             phi_1576_ = 1u;
                                                             break;
@@ -885,28 +886,28 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1398 = phi_1576_;
-                                                    let _e1400 = ((_e861 + (_e1362.member_1 * ((3u * _e1391) + 1u))) + (3u * _e1398));
-                                                    let _e1401 = (_e1400 < _e106);
-                                                    if _e1401 {
-                                                        if _e1401 {
+                                                    let _e921 = phi_1576_;
+                                                    let _e923 = ((_e861 + (_e885.member_1 * ((3u * _e914) + 1u))) + (3u * _e921));
+                                                    let _e924 = (_e923 < _e106);
+                                                    if _e924 {
+                                                        if _e924 {
                                                         } else {
-                                                            phi_5036_ = true;
+                                                            phi_5039_ = true;
                                                             break;
                                                         }
-                                                        let _e1403 = global_10.member[_e1400];
-                                                        phi_1592_ = _e1403;
+                                                        let _e926 = global_10.member[_e923];
+                                                        phi_1592_ = _e926;
                                                     } else {
                                                         phi_1592_ = 4294967295u;
                                                     }
-                                                    let _e1405 = phi_1592_;
-                                                    if _e1383 {
+                                                    let _e928 = phi_1592_;
+                                                    if _e906 {
                                                         phi_1625_ = 0u;
                                                     } else {
-                                                        phi_1625_ = select(2u, 1u, (_e1381 < (2097152f * _e162)));
+                                                        phi_1625_ = select(2u, 1u, (_e904 < (2097152f * _e162)));
                                                     }
-                                                    let _e1410 = phi_1625_;
-                                                    switch bitcast<i32>(_e1410) {
+                                                    let _e933 = phi_1625_;
+                                                    switch bitcast<i32>(_e933) {
                                                         case 0: {
                                                             phi_1631_ = 1u;
                                                             break;
@@ -924,331 +925,331 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1413 = phi_1631_;
-                                                    let _e1417 = (_e861 + (_e1362.member_1 * ((3u * _e1413) + 1u)));
-                                                    switch bitcast<i32>(_e1410) {
+                                                    let _e936 = phi_1631_;
+                                                    let _e940 = (_e861 + (_e885.member_1 * ((3u * _e936) + 1u)));
+                                                    switch bitcast<i32>(_e933) {
                                                         case 0: {
-                                                            let _e1692 = (_e1417 < _e106);
-                                                            if _e1692 {
-                                                                if _e1692 {
+                                                            let _e1215 = (_e940 < _e106);
+                                                            if _e1215 {
+                                                                if _e1215 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1694 = global_10.member[_e1417];
-                                                                phi_1658_ = _e1694;
+                                                                let _e1217 = global_10.member[_e940];
+                                                                phi_1658_ = _e1217;
                                                             } else {
                                                                 phi_1658_ = 0u;
                                                             }
-                                                            let _e1696 = phi_1658_;
-                                                            let _e1698 = ((10u * _e436) & 31u);
-                                                            let _e1708 = ((10u * _e435) & 31u);
-                                                            let _e1718 = ((10u * _e437) & 31u);
-                                                            let _e1728 = (_e1417 + 1u);
-                                                            let _e1729 = (_e1728 < _e106);
-                                                            if _e1729 {
-                                                                if _e1729 {
+                                                            let _e1219 = phi_1658_;
+                                                            let _e1221 = ((10u * _e436) & 31u);
+                                                            let _e1231 = ((10u * _e435) & 31u);
+                                                            let _e1241 = ((10u * _e437) & 31u);
+                                                            let _e1251 = (_e940 + 1u);
+                                                            let _e1252 = (_e1251 < _e106);
+                                                            if _e1252 {
+                                                                if _e1252 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1731 = global_10.member[_e1728];
-                                                                phi_1707_ = _e1731;
+                                                                let _e1254 = global_10.member[_e1251];
+                                                                phi_1707_ = _e1254;
                                                             } else {
                                                                 phi_1707_ = 0u;
                                                             }
-                                                            let _e1733 = phi_1707_;
-                                                            let _e1759 = (_e1417 + 2u);
-                                                            let _e1760 = (_e1759 < _e106);
-                                                            if _e1760 {
-                                                                if _e1760 {
+                                                            let _e1256 = phi_1707_;
+                                                            let _e1282 = (_e940 + 2u);
+                                                            let _e1283 = (_e1282 < _e106);
+                                                            if _e1283 {
+                                                                if _e1283 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1762 = global_10.member[_e1759];
-                                                                phi_1756_ = _e1762;
+                                                                let _e1285 = global_10.member[_e1282];
+                                                                phi_1756_ = _e1285;
                                                             } else {
                                                                 phi_1756_ = 0u;
                                                             }
-                                                            let _e1764 = phi_1756_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | ((_e1696 >> bitcast<u32>(_e1698)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | ((_e1696 >> bitcast<u32>(_e1708)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | ((_e1696 >> bitcast<u32>(_e1718)) & 1023u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | ((_e1733 >> bitcast<u32>(_e1698)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | ((_e1733 >> bitcast<u32>(_e1708)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | ((_e1733 >> bitcast<u32>(_e1718)) & 1023u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | ((_e1764 >> bitcast<u32>(_e1698)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | ((_e1764 >> bitcast<u32>(_e1708)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | ((_e1764 >> bitcast<u32>(_e1718)) & 1023u))) - 8388608f) * _e162))));
+                                                            let _e1287 = phi_1756_;
+                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | ((_e1219 >> bitcast<u32>(_e1221)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | ((_e1219 >> bitcast<u32>(_e1231)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | ((_e1219 >> bitcast<u32>(_e1241)) & 1023u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | ((_e1256 >> bitcast<u32>(_e1221)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | ((_e1256 >> bitcast<u32>(_e1231)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | ((_e1256 >> bitcast<u32>(_e1241)) & 1023u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | ((_e1287 >> bitcast<u32>(_e1221)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | ((_e1287 >> bitcast<u32>(_e1231)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | ((_e1287 >> bitcast<u32>(_e1241)) & 1023u))) - 8388608f) * _e162))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1506 = (_e1417 < _e106);
-                                                            if _e1506 {
-                                                                if _e1506 {
+                                                            let _e1029 = (_e940 < _e106);
+                                                            if _e1029 {
+                                                                if _e1029 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1508 = global_10.member[_e1417];
-                                                                phi_1805_ = _e1508;
+                                                                let _e1031 = global_10.member[_e940];
+                                                                phi_1805_ = _e1031;
                                                             } else {
                                                                 phi_1805_ = 0u;
                                                             }
-                                                            let _e1510 = phi_1805_;
-                                                            let _e1511 = (_e1417 + 1u);
-                                                            let _e1512 = (_e1511 < _e106);
-                                                            if _e1512 {
-                                                                if _e1512 {
+                                                            let _e1033 = phi_1805_;
+                                                            let _e1034 = (_e940 + 1u);
+                                                            let _e1035 = (_e1034 < _e106);
+                                                            if _e1035 {
+                                                                if _e1035 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1514 = global_10.member[_e1511];
-                                                                phi_1820_ = _e1514;
+                                                                let _e1037 = global_10.member[_e1034];
+                                                                phi_1820_ = _e1037;
                                                             } else {
                                                                 phi_1820_ = 0u;
                                                             }
-                                                            let _e1516 = phi_1820_;
-                                                            let _e1517 = (_e436 == 1u);
-                                                            if _e1517 {
-                                                                phi_1830_ = ((_e1510 >> bitcast<u32>(21i)) | (_e1516 << bitcast<u32>(11i)));
+                                                            let _e1039 = phi_1820_;
+                                                            let _e1040 = (_e436 == 1u);
+                                                            if _e1040 {
+                                                                phi_1830_ = ((_e1033 >> bitcast<u32>(21i)) | (_e1039 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1830_ = (_e1516 >> bitcast<u32>(10i));
+                                                                phi_1830_ = (_e1039 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1526 = phi_1830_;
-                                                            let _e1534 = (_e435 == 1u);
-                                                            if _e1534 {
-                                                                phi_1851_ = ((_e1510 >> bitcast<u32>(21i)) | (_e1516 << bitcast<u32>(11i)));
+                                                            let _e1049 = phi_1830_;
+                                                            let _e1057 = (_e435 == 1u);
+                                                            if _e1057 {
+                                                                phi_1851_ = ((_e1033 >> bitcast<u32>(21i)) | (_e1039 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1851_ = (_e1516 >> bitcast<u32>(10i));
+                                                                phi_1851_ = (_e1039 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1543 = phi_1851_;
-                                                            let _e1551 = (_e437 == 1u);
-                                                            if _e1551 {
-                                                                phi_1872_ = ((_e1510 >> bitcast<u32>(21i)) | (_e1516 << bitcast<u32>(11i)));
+                                                            let _e1066 = phi_1851_;
+                                                            let _e1074 = (_e437 == 1u);
+                                                            if _e1074 {
+                                                                phi_1872_ = ((_e1033 >> bitcast<u32>(21i)) | (_e1039 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1872_ = (_e1516 >> bitcast<u32>(10i));
+                                                                phi_1872_ = (_e1039 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1560 = phi_1872_;
-                                                            let _e1569 = (_e1417 + 2u);
-                                                            let _e1570 = (_e1569 < _e106);
-                                                            if _e1570 {
-                                                                if _e1570 {
+                                                            let _e1083 = phi_1872_;
+                                                            let _e1092 = (_e940 + 2u);
+                                                            let _e1093 = (_e1092 < _e106);
+                                                            if _e1093 {
+                                                                if _e1093 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1572 = global_10.member[_e1569];
-                                                                phi_1902_ = _e1572;
+                                                                let _e1095 = global_10.member[_e1092];
+                                                                phi_1902_ = _e1095;
                                                             } else {
                                                                 phi_1902_ = 0u;
                                                             }
-                                                            let _e1574 = phi_1902_;
-                                                            let _e1575 = (_e1417 + 3u);
-                                                            let _e1576 = (_e1575 < _e106);
-                                                            if _e1576 {
-                                                                if _e1576 {
+                                                            let _e1097 = phi_1902_;
+                                                            let _e1098 = (_e940 + 3u);
+                                                            let _e1099 = (_e1098 < _e106);
+                                                            if _e1099 {
+                                                                if _e1099 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1578 = global_10.member[_e1575];
-                                                                phi_1917_ = _e1578;
+                                                                let _e1101 = global_10.member[_e1098];
+                                                                phi_1917_ = _e1101;
                                                             } else {
                                                                 phi_1917_ = 0u;
                                                             }
-                                                            let _e1580 = phi_1917_;
-                                                            if _e1517 {
-                                                                phi_1927_ = ((_e1574 >> bitcast<u32>(21i)) | (_e1580 << bitcast<u32>(11i)));
+                                                            let _e1103 = phi_1917_;
+                                                            if _e1040 {
+                                                                phi_1927_ = ((_e1097 >> bitcast<u32>(21i)) | (_e1103 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1927_ = (_e1580 >> bitcast<u32>(10i));
+                                                                phi_1927_ = (_e1103 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1589 = phi_1927_;
-                                                            if _e1534 {
-                                                                phi_1948_ = ((_e1574 >> bitcast<u32>(21i)) | (_e1580 << bitcast<u32>(11i)));
+                                                            let _e1112 = phi_1927_;
+                                                            if _e1057 {
+                                                                phi_1948_ = ((_e1097 >> bitcast<u32>(21i)) | (_e1103 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1948_ = (_e1580 >> bitcast<u32>(10i));
+                                                                phi_1948_ = (_e1103 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1605 = phi_1948_;
-                                                            if _e1551 {
-                                                                phi_1969_ = ((_e1574 >> bitcast<u32>(21i)) | (_e1580 << bitcast<u32>(11i)));
+                                                            let _e1128 = phi_1948_;
+                                                            if _e1074 {
+                                                                phi_1969_ = ((_e1097 >> bitcast<u32>(21i)) | (_e1103 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1969_ = (_e1580 >> bitcast<u32>(10i));
+                                                                phi_1969_ = (_e1103 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1621 = phi_1969_;
-                                                            let _e1630 = (_e1417 + 4u);
-                                                            let _e1631 = (_e1630 < _e106);
-                                                            if _e1631 {
-                                                                if _e1631 {
+                                                            let _e1144 = phi_1969_;
+                                                            let _e1153 = (_e940 + 4u);
+                                                            let _e1154 = (_e1153 < _e106);
+                                                            if _e1154 {
+                                                                if _e1154 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1633 = global_10.member[_e1630];
-                                                                phi_1999_ = _e1633;
+                                                                let _e1156 = global_10.member[_e1153];
+                                                                phi_1999_ = _e1156;
                                                             } else {
                                                                 phi_1999_ = 0u;
                                                             }
-                                                            let _e1635 = phi_1999_;
-                                                            let _e1636 = (_e1417 + 5u);
-                                                            let _e1637 = (_e1636 < _e106);
-                                                            if _e1637 {
-                                                                if _e1637 {
+                                                            let _e1158 = phi_1999_;
+                                                            let _e1159 = (_e940 + 5u);
+                                                            let _e1160 = (_e1159 < _e106);
+                                                            if _e1160 {
+                                                                if _e1160 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1639 = global_10.member[_e1636];
-                                                                phi_2014_ = _e1639;
+                                                                let _e1162 = global_10.member[_e1159];
+                                                                phi_2014_ = _e1162;
                                                             } else {
                                                                 phi_2014_ = 0u;
                                                             }
-                                                            let _e1641 = phi_2014_;
-                                                            if _e1517 {
-                                                                phi_2024_ = ((_e1635 >> bitcast<u32>(21i)) | (_e1641 << bitcast<u32>(11i)));
+                                                            let _e1164 = phi_2014_;
+                                                            if _e1040 {
+                                                                phi_2024_ = ((_e1158 >> bitcast<u32>(21i)) | (_e1164 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2024_ = (_e1641 >> bitcast<u32>(10i));
+                                                                phi_2024_ = (_e1164 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1650 = phi_2024_;
-                                                            if _e1534 {
-                                                                phi_2045_ = ((_e1635 >> bitcast<u32>(21i)) | (_e1641 << bitcast<u32>(11i)));
+                                                            let _e1173 = phi_2024_;
+                                                            if _e1057 {
+                                                                phi_2045_ = ((_e1158 >> bitcast<u32>(21i)) | (_e1164 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2045_ = (_e1641 >> bitcast<u32>(10i));
+                                                                phi_2045_ = (_e1164 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1666 = phi_2045_;
-                                                            if _e1551 {
-                                                                phi_2066_ = ((_e1635 >> bitcast<u32>(21i)) | (_e1641 << bitcast<u32>(11i)));
+                                                            let _e1189 = phi_2045_;
+                                                            if _e1074 {
+                                                                phi_2066_ = ((_e1158 >> bitcast<u32>(21i)) | (_e1164 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2066_ = (_e1641 >> bitcast<u32>(10i));
+                                                                phi_2066_ = (_e1164 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1682 = phi_2066_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1526, _e1510, _e460) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1543, _e1510, _e527) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1560, _e1510, _e593) & 2097151u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1589, _e1574, _e460) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1605, _e1574, _e527) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1621, _e1574, _e593) & 2097151u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1650, _e1635, _e460) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1666, _e1635, _e527) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1682, _e1635, _e593) & 2097151u))) - 8388608f) * _e162))));
+                                                            let _e1205 = phi_2066_;
+                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1049, _e1033, _e460) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1066, _e1033, _e527) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1083, _e1033, _e593) & 2097151u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1112, _e1097, _e460) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1128, _e1097, _e527) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1144, _e1097, _e593) & 2097151u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1173, _e1158, _e460) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1189, _e1158, _e527) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1205, _e1158, _e593) & 2097151u))) - 8388608f) * _e162))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e1419 = (_e1417 + _e436);
-                                                            let _e1420 = (_e1419 < _e106);
-                                                            if _e1420 {
-                                                                if _e1420 {
+                                                            let _e942 = (_e940 + _e436);
+                                                            let _e943 = (_e942 < _e106);
+                                                            if _e943 {
+                                                                if _e943 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1422 = global_10.member[_e1419];
-                                                                phi_2097_ = _e1422;
+                                                                let _e945 = global_10.member[_e942];
+                                                                phi_2097_ = _e945;
                                                             } else {
                                                                 phi_2097_ = 0u;
                                                             }
-                                                            let _e1424 = phi_2097_;
-                                                            let _e1428 = (_e1417 + _e435);
-                                                            let _e1429 = (_e1428 < _e106);
-                                                            if _e1429 {
-                                                                if _e1429 {
+                                                            let _e947 = phi_2097_;
+                                                            let _e951 = (_e940 + _e435);
+                                                            let _e952 = (_e951 < _e106);
+                                                            if _e952 {
+                                                                if _e952 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1431 = global_10.member[_e1428];
-                                                                phi_2115_ = _e1431;
+                                                                let _e954 = global_10.member[_e951];
+                                                                phi_2115_ = _e954;
                                                             } else {
                                                                 phi_2115_ = 0u;
                                                             }
-                                                            let _e1433 = phi_2115_;
-                                                            let _e1437 = (_e1417 + _e437);
-                                                            let _e1438 = (_e1437 < _e106);
-                                                            if _e1438 {
-                                                                if _e1438 {
+                                                            let _e956 = phi_2115_;
+                                                            let _e960 = (_e940 + _e437);
+                                                            let _e961 = (_e960 < _e106);
+                                                            if _e961 {
+                                                                if _e961 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1440 = global_10.member[_e1437];
-                                                                phi_2133_ = _e1440;
+                                                                let _e963 = global_10.member[_e960];
+                                                                phi_2133_ = _e963;
                                                             } else {
                                                                 phi_2133_ = 0u;
                                                             }
-                                                            let _e1442 = phi_2133_;
-                                                            let _e1447 = (_e1417 + 3u);
-                                                            let _e1448 = (_e1447 + _e436);
-                                                            let _e1449 = (_e1448 < _e106);
-                                                            if _e1449 {
-                                                                if _e1449 {
+                                                            let _e965 = phi_2133_;
+                                                            let _e970 = (_e940 + 3u);
+                                                            let _e971 = (_e970 + _e436);
+                                                            let _e972 = (_e971 < _e106);
+                                                            if _e972 {
+                                                                if _e972 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1451 = global_10.member[_e1448];
-                                                                phi_2156_ = _e1451;
+                                                                let _e974 = global_10.member[_e971];
+                                                                phi_2156_ = _e974;
                                                             } else {
                                                                 phi_2156_ = 0u;
                                                             }
-                                                            let _e1453 = phi_2156_;
-                                                            let _e1457 = (_e1447 + _e435);
-                                                            let _e1458 = (_e1457 < _e106);
-                                                            if _e1458 {
-                                                                if _e1458 {
+                                                            let _e976 = phi_2156_;
+                                                            let _e980 = (_e970 + _e435);
+                                                            let _e981 = (_e980 < _e106);
+                                                            if _e981 {
+                                                                if _e981 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1460 = global_10.member[_e1457];
-                                                                phi_2174_ = _e1460;
+                                                                let _e983 = global_10.member[_e980];
+                                                                phi_2174_ = _e983;
                                                             } else {
                                                                 phi_2174_ = 0u;
                                                             }
-                                                            let _e1462 = phi_2174_;
-                                                            let _e1466 = (_e1447 + _e437);
-                                                            let _e1467 = (_e1466 < _e106);
-                                                            if _e1467 {
-                                                                if _e1467 {
+                                                            let _e985 = phi_2174_;
+                                                            let _e989 = (_e970 + _e437);
+                                                            let _e990 = (_e989 < _e106);
+                                                            if _e990 {
+                                                                if _e990 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1469 = global_10.member[_e1466];
-                                                                phi_2192_ = _e1469;
+                                                                let _e992 = global_10.member[_e989];
+                                                                phi_2192_ = _e992;
                                                             } else {
                                                                 phi_2192_ = 0u;
                                                             }
-                                                            let _e1471 = phi_2192_;
-                                                            let _e1476 = (_e1417 + 6u);
-                                                            let _e1477 = (_e1476 + _e436);
-                                                            let _e1478 = (_e1477 < _e106);
-                                                            if _e1478 {
-                                                                if _e1478 {
+                                                            let _e994 = phi_2192_;
+                                                            let _e999 = (_e940 + 6u);
+                                                            let _e1000 = (_e999 + _e436);
+                                                            let _e1001 = (_e1000 < _e106);
+                                                            if _e1001 {
+                                                                if _e1001 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1480 = global_10.member[_e1477];
-                                                                phi_2215_ = _e1480;
+                                                                let _e1003 = global_10.member[_e1000];
+                                                                phi_2215_ = _e1003;
                                                             } else {
                                                                 phi_2215_ = 0u;
                                                             }
-                                                            let _e1482 = phi_2215_;
-                                                            let _e1486 = (_e1476 + _e435);
-                                                            let _e1487 = (_e1486 < _e106);
-                                                            if _e1487 {
-                                                                if _e1487 {
+                                                            let _e1005 = phi_2215_;
+                                                            let _e1009 = (_e999 + _e435);
+                                                            let _e1010 = (_e1009 < _e106);
+                                                            if _e1010 {
+                                                                if _e1010 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1489 = global_10.member[_e1486];
-                                                                phi_2233_ = _e1489;
+                                                                let _e1012 = global_10.member[_e1009];
+                                                                phi_2233_ = _e1012;
                                                             } else {
                                                                 phi_2233_ = 0u;
                                                             }
-                                                            let _e1491 = phi_2233_;
-                                                            let _e1495 = (_e1476 + _e437);
-                                                            let _e1496 = (_e1495 < _e106);
-                                                            if _e1496 {
-                                                                if _e1496 {
+                                                            let _e1014 = phi_2233_;
+                                                            let _e1018 = (_e999 + _e437);
+                                                            let _e1019 = (_e1018 < _e106);
+                                                            if _e1019 {
+                                                                if _e1019 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1498 = global_10.member[_e1495];
-                                                                phi_2251_ = _e1498;
+                                                                let _e1021 = global_10.member[_e1018];
+                                                                phi_2251_ = _e1021;
                                                             } else {
                                                                 phi_2251_ = 0u;
                                                             }
-                                                            let _e1500 = phi_2251_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1424)) * _e162), (f32(bitcast<i32>(_e1433)) * _e162), (f32(bitcast<i32>(_e1442)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1453)) * _e162), (f32(bitcast<i32>(_e1462)) * _e162), (f32(bitcast<i32>(_e1471)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1482)) * _e162), (f32(bitcast<i32>(_e1491)) * _e162), (f32(bitcast<i32>(_e1500)) * _e162)));
+                                                            let _e1023 = phi_2251_;
+                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e947)) * _e162), (f32(bitcast<i32>(_e956)) * _e162), (f32(bitcast<i32>(_e965)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e976)) * _e162), (f32(bitcast<i32>(_e985)) * _e162), (f32(bitcast<i32>(_e994)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1005)) * _e162), (f32(bitcast<i32>(_e1014)) * _e162), (f32(bitcast<i32>(_e1023)) * _e162)));
                                                             break;
                                                         }
                                                         default: {
@@ -1256,861 +1257,872 @@ fn function_() {
                                                             break;
                                                         }
                                                     }
-                                                    let _e1792 = phi_2257_;
-                                                    let _e1800 = (_e1792[0][2] - _e616);
-                                                    let _e1803 = (((_e1792[0][0] - _e483) * _e655) - (_e1800 * _e523));
-                                                    let _e1806 = (((_e1792[0][1] - _e550) * _e655) - (_e1800 * _e589));
-                                                    let _e1813 = (_e1792[1][2] - _e616);
-                                                    let _e1816 = (((_e1792[1][0] - _e483) * _e655) - (_e1813 * _e523));
-                                                    let _e1819 = (((_e1792[1][1] - _e550) * _e655) - (_e1813 * _e589));
-                                                    let _e1826 = (_e1792[2][2] - _e616);
-                                                    let _e1829 = (((_e1792[2][0] - _e483) * _e655) - (_e1826 * _e523));
-                                                    let _e1832 = (((_e1792[2][1] - _e550) * _e655) - (_e1826 * _e589));
-                                                    let _e1833 = (_e1829 * _e1819);
-                                                    let _e1834 = (_e1832 * _e1816);
-                                                    let _e1835 = (_e1803 * _e1832);
-                                                    let _e1836 = (_e1806 * _e1829);
-                                                    let _e1837 = (_e1816 * _e1806);
-                                                    let _e1838 = (_e1819 * _e1803);
-                                                    let _e1843 = (((_e1833 >= _e1834) && (_e1835 >= _e1836)) && (_e1837 >= _e1838));
-                                                    if (_e1843 || (((_e1833 <= _e1834) && (_e1835 <= _e1836)) && (_e1837 <= _e1838))) {
-                                                        let _e1850 = select(-1f, 1f, _e1843);
-                                                        let _e1852 = ((_e1833 - _e1834) * _e1850);
-                                                        let _e1854 = select(0f, _e1852, (_e1852 > 0f));
-                                                        let _e1856 = ((_e1835 - _e1836) * _e1850);
-                                                        let _e1858 = select(0f, _e1856, (_e1856 > 0f));
-                                                        let _e1860 = ((_e1837 - _e1838) * _e1850);
-                                                        let _e1862 = select(0f, _e1860, (_e1860 > 0f));
-                                                        let _e1864 = ((_e1854 + _e1858) + _e1862);
-                                                        if (_e1864 < 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e1315 = phi_2257_;
+                                                    let _e1323 = (_e1315[0][2] - _e616);
+                                                    let _e1326 = (((_e1315[0][0] - _e483) * _e655) - (_e1323 * _e523));
+                                                    let _e1329 = (((_e1315[0][1] - _e550) * _e655) - (_e1323 * _e589));
+                                                    let _e1336 = (_e1315[1][2] - _e616);
+                                                    let _e1339 = (((_e1315[1][0] - _e483) * _e655) - (_e1336 * _e523));
+                                                    let _e1342 = (((_e1315[1][1] - _e550) * _e655) - (_e1336 * _e589));
+                                                    let _e1349 = (_e1315[2][2] - _e616);
+                                                    let _e1352 = (((_e1315[2][0] - _e483) * _e655) - (_e1349 * _e523));
+                                                    let _e1355 = (((_e1315[2][1] - _e550) * _e655) - (_e1349 * _e589));
+                                                    let _e1356 = (_e1352 * _e1342);
+                                                    let _e1357 = (_e1355 * _e1339);
+                                                    let _e1358 = (_e1326 * _e1355);
+                                                    let _e1359 = (_e1329 * _e1352);
+                                                    let _e1360 = (_e1339 * _e1329);
+                                                    let _e1361 = (_e1342 * _e1326);
+                                                    let _e1366 = (((_e1356 >= _e1357) && (_e1358 >= _e1359)) && (_e1360 >= _e1361));
+                                                    if (_e1366 || (((_e1356 <= _e1357) && (_e1358 <= _e1359)) && (_e1360 <= _e1361))) {
+                                                        let _e1373 = select(-1f, 1f, _e1366);
+                                                        let _e1375 = ((_e1356 - _e1357) * _e1373);
+                                                        let _e1377 = select(0f, _e1375, (_e1375 > 0f));
+                                                        let _e1379 = ((_e1358 - _e1359) * _e1373);
+                                                        let _e1381 = select(0f, _e1379, (_e1379 > 0f));
+                                                        let _e1383 = ((_e1360 - _e1361) * _e1373);
+                                                        let _e1385 = select(0f, _e1383, (_e1383 > 0f));
+                                                        let _e1387 = ((_e1377 + _e1381) + _e1385);
+                                                        if (_e1387 < 0.000000000000000000000000000000000000011754944f) {
                                                             phi_3141_ = type_21();
                                                             phi_3142_ = true;
                                                             phi_3143_ = false;
                                                         } else {
-                                                            let _e1867 = select(_e1816, _e1803, (_e1803 < _e1816));
-                                                            if (select(_e1829, _e1867, (_e1867 < _e1829)) > 0f) {
+                                                            let _e1390 = select(_e1339, _e1326, (_e1326 < _e1339));
+                                                            if (select(_e1352, _e1390, (_e1390 < _e1352)) > 0f) {
                                                                 phi_2409_ = true;
                                                             } else {
-                                                                let _e1872 = select(_e1816, _e1803, (_e1803 > _e1816));
-                                                                phi_2409_ = (select(_e1829, _e1872, (_e1872 > _e1829)) < 0f);
+                                                                let _e1395 = select(_e1339, _e1326, (_e1326 > _e1339));
+                                                                phi_2409_ = (select(_e1352, _e1395, (_e1395 > _e1352)) < 0f);
                                                             }
-                                                            let _e1877 = phi_2409_;
-                                                            if _e1877 {
+                                                            let _e1400 = phi_2409_;
+                                                            if _e1400 {
                                                                 phi_3138_ = type_21();
                                                                 phi_3139_ = true;
                                                                 phi_3140_ = false;
                                                             } else {
-                                                                let _e1879 = select(_e1819, _e1806, (_e1806 < _e1819));
-                                                                if (select(_e1832, _e1879, (_e1879 < _e1832)) > 0f) {
+                                                                let _e1402 = select(_e1342, _e1329, (_e1329 < _e1342));
+                                                                if (select(_e1355, _e1402, (_e1402 < _e1355)) > 0f) {
                                                                     phi_2438_ = true;
                                                                 } else {
-                                                                    let _e1884 = select(_e1819, _e1806, (_e1806 > _e1819));
-                                                                    phi_2438_ = (select(_e1832, _e1884, (_e1884 > _e1832)) < 0f);
+                                                                    let _e1407 = select(_e1342, _e1329, (_e1329 > _e1342));
+                                                                    phi_2438_ = (select(_e1355, _e1407, (_e1407 > _e1355)) < 0f);
                                                                 }
-                                                                let _e1889 = phi_2438_;
-                                                                if _e1889 {
+                                                                let _e1412 = phi_2438_;
+                                                                if _e1412 {
                                                                     phi_3136_ = type_21();
                                                                     phi_3137_ = false;
                                                                 } else {
-                                                                    let _e1891 = select(_e1792[1][0], _e1792[0][0], (_e1792[0][0] < _e1792[1][0]));
-                                                                    let _e1895 = select(_e1792[1][0], _e1792[0][0], (_e1792[0][0] > _e1792[1][0]));
-                                                                    let _e1899 = select(_e1792[1][1], _e1792[0][1], (_e1792[0][1] < _e1792[1][1]));
-                                                                    let _e1903 = select(_e1792[1][1], _e1792[0][1], (_e1792[0][1] > _e1792[1][1]));
-                                                                    let _e1907 = select(_e1792[1][2], _e1792[0][2], (_e1792[0][2] < _e1792[1][2]));
-                                                                    let _e1911 = select(_e1792[1][2], _e1792[0][2], (_e1792[0][2] > _e1792[1][2]));
-                                                                    let _e1916 = ((select(_e1792[2][0], _e1891, (_e1891 < _e1792[2][0])) - _e521) * _e526);
-                                                                    let _e1917 = ((select(_e1792[2][0], _e1895, (_e1895 > _e1792[2][0])) - _e522) * _e526);
-                                                                    let _e1920 = ((select(_e1792[2][1], _e1899, (_e1899 < _e1792[2][1])) - _e587) * _e592);
-                                                                    let _e1921 = ((select(_e1792[2][1], _e1903, (_e1903 > _e1792[2][1])) - _e588) * _e592);
-                                                                    let _e1924 = ((select(_e1792[2][2], _e1907, (_e1907 < _e1792[2][2])) - _e653) * _e658);
-                                                                    let _e1925 = ((select(_e1792[2][2], _e1911, (_e1911 > _e1792[2][2])) - _e654) * _e658);
-                                                                    let _e1927 = select(_e1925, _e1924, (_e1924 < _e1925));
-                                                                    let _e1929 = select(_e1925, _e1924, (_e1924 > _e1925));
-                                                                    let _e1931 = select(_e1917, _e1916, (_e1916 < _e1917));
-                                                                    let _e1933 = select(_e1921, _e1920, (_e1920 < _e1921));
-                                                                    let _e1935 = select(_e1933, _e1931, (_e1931 > _e1933));
-                                                                    let _e1937 = select(_e1927, _e1935, (_e1935 > _e1927));
-                                                                    let _e1939 = select(_e1917, _e1916, (_e1916 > _e1917));
-                                                                    let _e1941 = select(_e1921, _e1920, (_e1920 > _e1921));
-                                                                    let _e1943 = select(_e1941, _e1939, (_e1939 < _e1941));
-                                                                    let _e1945 = select(_e1929, _e1943, (_e1943 < _e1929));
-                                                                    let _e1946 = -(_e1927);
-                                                                    let _e1952 = select(_e769, _e1937, (_e1937 > _e769));
-                                                                    if (_e1952 > (_e1945 + (select(_e1946, _e1929, (_e1929 > _e1946)) * 0.0000019073523f))) {
+                                                                    let _e1414 = select(_e1315[1][0], _e1315[0][0], (_e1315[0][0] < _e1315[1][0]));
+                                                                    let _e1418 = select(_e1315[1][0], _e1315[0][0], (_e1315[0][0] > _e1315[1][0]));
+                                                                    let _e1422 = select(_e1315[1][1], _e1315[0][1], (_e1315[0][1] < _e1315[1][1]));
+                                                                    let _e1426 = select(_e1315[1][1], _e1315[0][1], (_e1315[0][1] > _e1315[1][1]));
+                                                                    let _e1430 = select(_e1315[1][2], _e1315[0][2], (_e1315[0][2] < _e1315[1][2]));
+                                                                    let _e1434 = select(_e1315[1][2], _e1315[0][2], (_e1315[0][2] > _e1315[1][2]));
+                                                                    let _e1439 = ((select(_e1315[2][0], _e1414, (_e1414 < _e1315[2][0])) - _e521) * _e526);
+                                                                    let _e1440 = ((select(_e1315[2][0], _e1418, (_e1418 > _e1315[2][0])) - _e522) * _e526);
+                                                                    let _e1443 = ((select(_e1315[2][1], _e1422, (_e1422 < _e1315[2][1])) - _e587) * _e592);
+                                                                    let _e1444 = ((select(_e1315[2][1], _e1426, (_e1426 > _e1315[2][1])) - _e588) * _e592);
+                                                                    let _e1447 = ((select(_e1315[2][2], _e1430, (_e1430 < _e1315[2][2])) - _e653) * _e658);
+                                                                    let _e1448 = ((select(_e1315[2][2], _e1434, (_e1434 > _e1315[2][2])) - _e654) * _e658);
+                                                                    let _e1450 = select(_e1448, _e1447, (_e1447 < _e1448));
+                                                                    let _e1452 = select(_e1448, _e1447, (_e1447 > _e1448));
+                                                                    let _e1454 = select(_e1440, _e1439, (_e1439 < _e1440));
+                                                                    let _e1456 = select(_e1444, _e1443, (_e1443 < _e1444));
+                                                                    let _e1458 = select(_e1456, _e1454, (_e1454 > _e1456));
+                                                                    let _e1460 = select(_e1450, _e1458, (_e1458 > _e1450));
+                                                                    let _e1462 = select(_e1440, _e1439, (_e1439 > _e1440));
+                                                                    let _e1464 = select(_e1444, _e1443, (_e1443 > _e1444));
+                                                                    let _e1466 = select(_e1464, _e1462, (_e1462 < _e1464));
+                                                                    let _e1468 = select(_e1452, _e1466, (_e1466 < _e1452));
+                                                                    let _e1469 = -(_e1450);
+                                                                    let _e1475 = select(_e769, _e1460, (_e1460 > _e769));
+                                                                    if (_e1475 > (_e1468 + (select(_e1469, _e1452, (_e1452 > _e1469)) * 0.0000019073523f))) {
                                                                         phi_3131_ = type_21();
                                                                         phi_3132_ = true;
                                                                     } else {
-                                                                        let _e1954 = (_e1952 > _e1345.member);
-                                                                        if _e1954 {
+                                                                        let _e1477 = (_e1475 > _e868.member);
+                                                                        if _e1477 {
                                                                             phi_3130_ = type_21();
                                                                         } else {
-                                                                            let _e1955 = vec3<f32>(_e1792[0][0], _e1792[0][1], _e1792[0][2]);
-                                                                            let _e1956 = vec3<f32>(_e1792[1][0], _e1792[1][1], _e1792[1][2]);
-                                                                            let _e1957 = vec3<f32>(_e1792[2][0], _e1792[2][1], _e1792[2][2]);
-                                                                            let _e1958 = (_e1792[1][0] - _e1792[0][0]);
-                                                                            let _e1959 = (_e1792[1][1] - _e1792[0][1]);
-                                                                            let _e1960 = (_e1792[1][2] - _e1792[0][2]);
-                                                                            let _e1961 = vec3<f32>(_e1958, _e1959, _e1960);
-                                                                            let _e1962 = (_e1792[2][0] - _e1792[1][0]);
-                                                                            let _e1963 = (_e1792[2][1] - _e1792[1][1]);
-                                                                            let _e1964 = (_e1792[2][2] - _e1792[1][2]);
-                                                                            let _e1965 = vec3<f32>(_e1962, _e1963, _e1964);
-                                                                            let _e1966 = (_e1792[0][0] - _e1792[2][0]);
-                                                                            let _e1967 = (_e1792[0][1] - _e1792[2][1]);
-                                                                            let _e1968 = (_e1792[0][2] - _e1792[2][2]);
-                                                                            let _e1969 = vec3<f32>(_e1966, _e1967, _e1968);
-                                                                            let _e1972 = bitcast<f32>((bitcast<u32>(_e1958) & 2147483647u));
-                                                                            let _e1975 = bitcast<f32>((bitcast<u32>(_e1959) & 2147483647u));
-                                                                            let _e1977 = select(_e1975, _e1972, (_e1972 > _e1975));
-                                                                            let _e1980 = bitcast<f32>((bitcast<u32>(_e1960) & 2147483647u));
-                                                                            let _e1982 = select(_e1980, _e1977, (_e1977 > _e1980));
-                                                                            let _e1985 = bitcast<f32>((bitcast<u32>(_e1962) & 2147483647u));
-                                                                            let _e1988 = bitcast<f32>((bitcast<u32>(_e1963) & 2147483647u));
-                                                                            let _e1990 = select(_e1988, _e1985, (_e1985 > _e1988));
-                                                                            let _e1993 = bitcast<f32>((bitcast<u32>(_e1964) & 2147483647u));
-                                                                            let _e1995 = select(_e1993, _e1990, (_e1990 > _e1993));
-                                                                            let _e1998 = bitcast<f32>((bitcast<u32>(_e1966) & 2147483647u));
-                                                                            let _e2001 = bitcast<f32>((bitcast<u32>(_e1967) & 2147483647u));
-                                                                            let _e2003 = select(_e2001, _e1998, (_e1998 > _e2001));
-                                                                            let _e2006 = bitcast<f32>((bitcast<u32>(_e1968) & 2147483647u));
-                                                                            let _e2008 = select(_e2006, _e2003, (_e2003 > _e2006));
-                                                                            let _e2010 = select(_e1995, _e1982, (_e1982 > _e1995));
-                                                                            let _e2012 = select(_e2008, _e2010, (_e2010 > _e2008));
-                                                                            if (_e1982 == _e2012) {
-                                                                                phi_2857_ = _e1819;
-                                                                                phi_2858_ = _e1816;
-                                                                                phi_2859_ = _e1806;
-                                                                                phi_2860_ = _e1803;
-                                                                                phi_2861_ = _e1955;
-                                                                                phi_2862_ = _e1969;
-                                                                                phi_2863_ = _e1965;
-                                                                                phi_2864_ = _e1961;
+                                                                            let _e1478 = vec3<f32>(_e1315[0][0], _e1315[0][1], _e1315[0][2]);
+                                                                            let _e1479 = vec3<f32>(_e1315[1][0], _e1315[1][1], _e1315[1][2]);
+                                                                            let _e1480 = vec3<f32>(_e1315[2][0], _e1315[2][1], _e1315[2][2]);
+                                                                            let _e1481 = (_e1315[1][0] - _e1315[0][0]);
+                                                                            let _e1482 = (_e1315[1][1] - _e1315[0][1]);
+                                                                            let _e1483 = (_e1315[1][2] - _e1315[0][2]);
+                                                                            let _e1484 = vec3<f32>(_e1481, _e1482, _e1483);
+                                                                            let _e1485 = (_e1315[2][0] - _e1315[1][0]);
+                                                                            let _e1486 = (_e1315[2][1] - _e1315[1][1]);
+                                                                            let _e1487 = (_e1315[2][2] - _e1315[1][2]);
+                                                                            let _e1488 = vec3<f32>(_e1485, _e1486, _e1487);
+                                                                            let _e1489 = (_e1315[0][0] - _e1315[2][0]);
+                                                                            let _e1490 = (_e1315[0][1] - _e1315[2][1]);
+                                                                            let _e1491 = (_e1315[0][2] - _e1315[2][2]);
+                                                                            let _e1492 = vec3<f32>(_e1489, _e1490, _e1491);
+                                                                            let _e1495 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
+                                                                            let _e1498 = bitcast<f32>((bitcast<u32>(_e1482) & 2147483647u));
+                                                                            let _e1500 = select(_e1498, _e1495, (_e1495 > _e1498));
+                                                                            let _e1503 = bitcast<f32>((bitcast<u32>(_e1483) & 2147483647u));
+                                                                            let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
+                                                                            let _e1508 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
+                                                                            let _e1511 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
+                                                                            let _e1513 = select(_e1511, _e1508, (_e1508 > _e1511));
+                                                                            let _e1516 = bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u));
+                                                                            let _e1518 = select(_e1516, _e1513, (_e1513 > _e1516));
+                                                                            let _e1521 = bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u));
+                                                                            let _e1524 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
+                                                                            let _e1526 = select(_e1524, _e1521, (_e1521 > _e1524));
+                                                                            let _e1529 = bitcast<f32>((bitcast<u32>(_e1491) & 2147483647u));
+                                                                            let _e1531 = select(_e1529, _e1526, (_e1526 > _e1529));
+                                                                            let _e1533 = select(_e1518, _e1505, (_e1505 > _e1518));
+                                                                            let _e1535 = select(_e1531, _e1533, (_e1533 > _e1531));
+                                                                            if (_e1505 == _e1535) {
+                                                                                phi_2857_ = _e1342;
+                                                                                phi_2858_ = _e1339;
+                                                                                phi_2859_ = _e1329;
+                                                                                phi_2860_ = _e1326;
+                                                                                phi_2861_ = _e1478;
+                                                                                phi_2862_ = _e1492;
+                                                                                phi_2863_ = _e1488;
+                                                                                phi_2864_ = _e1484;
                                                                             } else {
-                                                                                let _e2014 = (_e1995 == _e2012);
-                                                                                let _e2019 = vec3(_e2014);
-                                                                                phi_2857_ = select(_e1806, _e1832, _e2014);
-                                                                                phi_2858_ = select(_e1803, _e1829, _e2014);
-                                                                                phi_2859_ = select(_e1832, _e1819, _e2014);
-                                                                                phi_2860_ = select(_e1829, _e1816, _e2014);
-                                                                                phi_2861_ = select(_e1957, _e1956, _e2019);
-                                                                                phi_2862_ = select(_e1965, _e1961, _e2019);
-                                                                                phi_2863_ = select(_e1961, _e1969, _e2019);
-                                                                                phi_2864_ = select(_e1969, _e1965, _e2019);
+                                                                                let _e1537 = (_e1518 == _e1535);
+                                                                                let _e1542 = vec3(_e1537);
+                                                                                phi_2857_ = select(_e1329, _e1355, _e1537);
+                                                                                phi_2858_ = select(_e1326, _e1352, _e1537);
+                                                                                phi_2859_ = select(_e1355, _e1342, _e1537);
+                                                                                phi_2860_ = select(_e1352, _e1339, _e1537);
+                                                                                phi_2861_ = select(_e1480, _e1479, _e1542);
+                                                                                phi_2862_ = select(_e1488, _e1484, _e1542);
+                                                                                phi_2863_ = select(_e1484, _e1492, _e1542);
+                                                                                phi_2864_ = select(_e1492, _e1488, _e1542);
                                                                             }
-                                                                            let _e2025 = phi_2857_;
-                                                                            let _e2027 = phi_2858_;
-                                                                            let _e2029 = phi_2859_;
-                                                                            let _e2031 = phi_2860_;
-                                                                            let _e2033 = phi_2861_;
-                                                                            let _e2035 = phi_2862_;
-                                                                            let _e2037 = phi_2863_;
-                                                                            let _e2039 = phi_2864_;
-                                                                            let _e2046 = ((_e2037.y * _e2035.z) - (_e2035.y * _e2037.z));
-                                                                            let _e2051 = ((_e2037.z * _e2035.x) - (_e2035.z * _e2037.x));
-                                                                            let _e2054 = ((_e2037.x * _e2035.y) - (_e2035.x * _e2037.y));
-                                                                            if (_e1854 >= _e1858) {
-                                                                                phi_2901_ = select(true, false, (_e1854 >= _e1862));
+                                                                            let _e1548 = phi_2857_;
+                                                                            let _e1550 = phi_2858_;
+                                                                            let _e1552 = phi_2859_;
+                                                                            let _e1554 = phi_2860_;
+                                                                            let _e1556 = phi_2861_;
+                                                                            let _e1558 = phi_2862_;
+                                                                            let _e1560 = phi_2863_;
+                                                                            let _e1562 = phi_2864_;
+                                                                            let _e1569 = ((_e1560.y * _e1558.z) - (_e1558.y * _e1560.z));
+                                                                            let _e1574 = ((_e1560.z * _e1558.x) - (_e1558.z * _e1560.x));
+                                                                            let _e1577 = ((_e1560.x * _e1558.y) - (_e1558.x * _e1560.y));
+                                                                            if (_e1377 >= _e1381) {
+                                                                                phi_2901_ = select(true, false, (_e1377 >= _e1385));
                                                                             } else {
                                                                                 phi_2901_ = true;
                                                                             }
-                                                                            let _e2059 = phi_2901_;
-                                                                            if _e2059 {
-                                                                                phi_2910_ = select(_e1957, _e1956, vec3((_e1858 >= _e1862)));
+                                                                            let _e1582 = phi_2901_;
+                                                                            if _e1582 {
+                                                                                phi_2910_ = select(_e1480, _e1479, vec3((_e1381 >= _e1385)));
                                                                             } else {
-                                                                                phi_2910_ = _e1955;
+                                                                                phi_2910_ = _e1478;
                                                                             }
-                                                                            let _e2064 = phi_2910_;
-                                                                            let _e2075 = (((_e2046 * (_e2064.x - _e483)) + (_e2051 * (_e2064.y - _e550))) + (_e2054 * (_e2064.z - _e616)));
-                                                                            let _e2080 = (((_e2046 * _e523) + (_e2051 * _e589)) + (_e2054 * _e655));
-                                                                            let _e2081 = (_e2027 - _e2031);
-                                                                            let _e2082 = (_e2025 - _e2029);
-                                                                            let _e2090 = (-(((_e2031 * _e2081) + (_e2029 * _e2082))) / ((_e2081 * _e2081) + (_e2082 * _e2082)));
-                                                                            let _e2092 = select(1f, _e2090, (_e2090 < 1f));
-                                                                            let _e2094 = select(0f, _e2092, (_e2092 > 0f));
-                                                                            let _e2107 = ((_e2033.x + (_e2039.x * _e2094)) - _e483);
-                                                                            let _e2108 = ((_e2033.y + (_e2039.y * _e2094)) - _e550);
-                                                                            let _e2109 = ((_e2033.z + (_e2039.z * _e2094)) - _e616);
-                                                                            let _e2110 = (_e2109 / _e655);
-                                                                            let _e2122 = bitcast<f32>((bitcast<u32>(_e2107) & 2147483647u));
-                                                                            let _e2125 = bitcast<f32>((bitcast<u32>(_e2108) & 2147483647u));
-                                                                            let _e2127 = select(_e2125, _e2122, (_e2122 > _e2125));
-                                                                            let _e2130 = bitcast<f32>((bitcast<u32>(_e2109) & 2147483647u));
-                                                                            let _e2132 = select(_e2130, _e2127, (_e2127 > _e2130));
-                                                                            let _e2138 = bitcast<f32>((bitcast<u32>(_e2046) & 2147483647u));
-                                                                            let _e2141 = bitcast<f32>((bitcast<u32>(_e2051) & 2147483647u));
-                                                                            let _e2143 = select(_e2141, _e2138, (_e2138 > _e2141));
-                                                                            let _e2146 = bitcast<f32>((bitcast<u32>(_e2054) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e2046 * _e2107) + (_e2051 * _e2108)) + (_e2054 * _e2109)) - _e2075)) & 2147483647u)) <= ((0.0000009536743f * select(_e2012, _e2132, (_e2132 > _e2012))) * select(_e2146, _e2143, (_e2143 > _e2146)))) {
-                                                                                let _e2156 = bitcast<f32>((bitcast<u32>(_e2037.x) & 2147483647u));
-                                                                                let _e2159 = bitcast<f32>((bitcast<u32>(_e2037.y) & 2147483647u));
-                                                                                let _e2161 = select(_e2159, _e2156, (_e2156 > _e2159));
-                                                                                let _e2164 = bitcast<f32>((bitcast<u32>(_e2037.z) & 2147483647u));
-                                                                                let _e2170 = bitcast<f32>((bitcast<u32>(_e2035.x) & 2147483647u));
-                                                                                let _e2173 = bitcast<f32>((bitcast<u32>(_e2035.y) & 2147483647u));
-                                                                                let _e2175 = select(_e2173, _e2170, (_e2170 > _e2173));
-                                                                                let _e2178 = bitcast<f32>((bitcast<u32>(_e2035.z) & 2147483647u));
-                                                                                let _e2182 = (bitcast<f32>((bitcast<u32>(_e2080) & 2147483647u)) > ((0.0000038146973f * select(_e2164, _e2161, (_e2161 > _e2164))) * select(_e2178, _e2175, (_e2175 > _e2178))));
-                                                                                if _e2182 {
-                                                                                    phi_3075_ = (_e2075 / _e2080);
+                                                                            let _e1587 = phi_2910_;
+                                                                            let _e1598 = (((_e1569 * (_e1587.x - _e483)) + (_e1574 * (_e1587.y - _e550))) + (_e1577 * (_e1587.z - _e616)));
+                                                                            let _e1603 = (((_e1569 * _e523) + (_e1574 * _e589)) + (_e1577 * _e655));
+                                                                            let _e1604 = (_e1550 - _e1554);
+                                                                            let _e1605 = (_e1548 - _e1552);
+                                                                            let _e1613 = (-(((_e1554 * _e1604) + (_e1552 * _e1605))) / ((_e1604 * _e1604) + (_e1605 * _e1605)));
+                                                                            let _e1615 = select(1f, _e1613, (_e1613 < 1f));
+                                                                            let _e1617 = select(0f, _e1615, (_e1615 > 0f));
+                                                                            let _e1630 = ((_e1556.x + (_e1562.x * _e1617)) - _e483);
+                                                                            let _e1631 = ((_e1556.y + (_e1562.y * _e1617)) - _e550);
+                                                                            let _e1632 = ((_e1556.z + (_e1562.z * _e1617)) - _e616);
+                                                                            let _e1633 = (_e1632 / _e655);
+                                                                            let _e1645 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
+                                                                            let _e1648 = bitcast<f32>((bitcast<u32>(_e1631) & 2147483647u));
+                                                                            let _e1650 = select(_e1648, _e1645, (_e1645 > _e1648));
+                                                                            let _e1653 = bitcast<f32>((bitcast<u32>(_e1632) & 2147483647u));
+                                                                            let _e1655 = select(_e1653, _e1650, (_e1650 > _e1653));
+                                                                            let _e1661 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
+                                                                            let _e1664 = bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u));
+                                                                            let _e1666 = select(_e1664, _e1661, (_e1661 > _e1664));
+                                                                            let _e1669 = bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1569 * _e1630) + (_e1574 * _e1631)) + (_e1577 * _e1632)) - _e1598)) & 2147483647u)) <= ((0.0000009536743f * select(_e1535, _e1655, (_e1655 > _e1535))) * select(_e1669, _e1666, (_e1666 > _e1669)))) {
+                                                                                let _e1679 = bitcast<f32>((bitcast<u32>(_e1560.x) & 2147483647u));
+                                                                                let _e1682 = bitcast<f32>((bitcast<u32>(_e1560.y) & 2147483647u));
+                                                                                let _e1684 = select(_e1682, _e1679, (_e1679 > _e1682));
+                                                                                let _e1687 = bitcast<f32>((bitcast<u32>(_e1560.z) & 2147483647u));
+                                                                                let _e1693 = bitcast<f32>((bitcast<u32>(_e1558.x) & 2147483647u));
+                                                                                let _e1696 = bitcast<f32>((bitcast<u32>(_e1558.y) & 2147483647u));
+                                                                                let _e1698 = select(_e1696, _e1693, (_e1693 > _e1696));
+                                                                                let _e1701 = bitcast<f32>((bitcast<u32>(_e1558.z) & 2147483647u));
+                                                                                let _e1705 = (bitcast<f32>((bitcast<u32>(_e1603) & 2147483647u)) > ((0.0000038146973f * select(_e1687, _e1684, (_e1684 > _e1687))) * select(_e1701, _e1698, (_e1698 > _e1701))));
+                                                                                if _e1705 {
+                                                                                    phi_3075_ = (_e1598 / _e1603);
                                                                                 } else {
                                                                                     phi_3075_ = f32();
                                                                                 }
-                                                                                let _e2185 = phi_3075_;
-                                                                                phi_3077_ = _e2185;
-                                                                                phi_3078_ = select(true, false, _e2182);
+                                                                                let _e1708 = phi_3075_;
+                                                                                phi_3077_ = _e1708;
+                                                                                phi_3078_ = select(true, false, _e1705);
                                                                             } else {
                                                                                 phi_3077_ = f32();
                                                                                 phi_3078_ = true;
                                                                             }
-                                                                            let _e2188 = phi_3077_;
-                                                                            let _e2190 = phi_3078_;
-                                                                            if _e2190 {
-                                                                                let _e2198 = (((_e2046 * (_e2107 - (_e523 * _e2110))) + (_e2051 * (_e2108 - (_e589 * _e2110)))) / _e2080);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e2198) & 2147483647u)) <= _e2012) {
-                                                                                    phi_3098_ = (_e2110 + _e2198);
+                                                                            let _e1711 = phi_3077_;
+                                                                            let _e1713 = phi_3078_;
+                                                                            if _e1713 {
+                                                                                let _e1721 = (((_e1569 * (_e1630 - (_e523 * _e1633))) + (_e1574 * (_e1631 - (_e589 * _e1633)))) / _e1603);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1721) & 2147483647u)) <= _e1535) {
+                                                                                    phi_3098_ = (_e1633 + _e1721);
                                                                                 } else {
-                                                                                    phi_3098_ = _e2110;
+                                                                                    phi_3098_ = _e1633;
                                                                                 }
-                                                                                let _e2205 = phi_3098_;
-                                                                                phi_3099_ = _e2205;
+                                                                                let _e1728 = phi_3098_;
+                                                                                phi_3099_ = _e1728;
                                                                             } else {
-                                                                                phi_3099_ = _e2188;
+                                                                                phi_3099_ = _e1711;
                                                                             }
-                                                                            let _e2207 = phi_3099_;
-                                                                            let _e2209 = select(_e1945, _e2207, (_e2207 < _e1945));
-                                                                            let _e2211 = select(_e1937, _e2209, (_e2209 > _e1937));
-                                                                            if (_e2211 >= _e769) {
-                                                                                let _e2213 = (_e2211 <= _e1345.member);
-                                                                                if _e2213 {
-                                                                                    let _e2214 = (1f / _e1864);
-                                                                                    phi_3122_ = type_21(_e2211, (_e1858 * _e2214), (_e1862 * _e2214), _e1405);
+                                                                            let _e1730 = phi_3099_;
+                                                                            let _e1732 = select(_e1468, _e1730, (_e1730 < _e1468));
+                                                                            let _e1734 = select(_e1460, _e1732, (_e1732 > _e1460));
+                                                                            if (_e1734 >= _e769) {
+                                                                                let _e1736 = (_e1734 <= _e868.member);
+                                                                                if _e1736 {
+                                                                                    let _e1737 = (1f / _e1387);
+                                                                                    phi_3122_ = type_21(_e1734, (_e1381 * _e1737), (_e1385 * _e1737), _e928);
                                                                                 } else {
                                                                                     phi_3122_ = type_21();
                                                                                 }
-                                                                                let _e2219 = phi_3122_;
-                                                                                phi_3124_ = _e2219;
-                                                                                phi_3125_ = select(true, false, _e2213);
+                                                                                let _e1742 = phi_3122_;
+                                                                                phi_3124_ = _e1742;
+                                                                                phi_3125_ = select(true, false, _e1736);
                                                                             } else {
                                                                                 phi_3124_ = type_21();
                                                                                 phi_3125_ = true;
                                                                             }
-                                                                            let _e2222 = phi_3124_;
-                                                                            let _e2224 = phi_3125_;
-                                                                            if _e2224 {
+                                                                            let _e1745 = phi_3124_;
+                                                                            let _e1747 = phi_3125_;
+                                                                            if _e1747 {
                                                                                 phi_3129_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_3129_ = _e2222;
+                                                                                phi_3129_ = _e1745;
                                                                             }
-                                                                            let _e2226 = phi_3129_;
-                                                                            phi_3130_ = _e2226;
+                                                                            let _e1749 = phi_3129_;
+                                                                            phi_3130_ = _e1749;
                                                                         }
-                                                                        let _e2228 = phi_3130_;
-                                                                        phi_3131_ = _e2228;
-                                                                        phi_3132_ = _e1954;
+                                                                        let _e1751 = phi_3130_;
+                                                                        phi_3131_ = _e1751;
+                                                                        phi_3132_ = _e1477;
                                                                     }
-                                                                    let _e2230 = phi_3131_;
-                                                                    let _e2232 = phi_3132_;
-                                                                    phi_3136_ = _e2230;
-                                                                    phi_3137_ = _e2232;
+                                                                    let _e1753 = phi_3131_;
+                                                                    let _e1755 = phi_3132_;
+                                                                    phi_3136_ = _e1753;
+                                                                    phi_3137_ = _e1755;
                                                                 }
-                                                                let _e2234 = phi_3136_;
-                                                                let _e2236 = phi_3137_;
-                                                                phi_3138_ = _e2234;
-                                                                phi_3139_ = _e1889;
-                                                                phi_3140_ = _e2236;
+                                                                let _e1757 = phi_3136_;
+                                                                let _e1759 = phi_3137_;
+                                                                phi_3138_ = _e1757;
+                                                                phi_3139_ = _e1412;
+                                                                phi_3140_ = _e1759;
                                                             }
-                                                            let _e2238 = phi_3138_;
-                                                            let _e2240 = phi_3139_;
-                                                            let _e2242 = phi_3140_;
-                                                            phi_3141_ = _e2238;
-                                                            phi_3142_ = _e2240;
-                                                            phi_3143_ = _e2242;
+                                                            let _e1761 = phi_3138_;
+                                                            let _e1763 = phi_3139_;
+                                                            let _e1765 = phi_3140_;
+                                                            phi_3141_ = _e1761;
+                                                            phi_3142_ = _e1763;
+                                                            phi_3143_ = _e1765;
                                                         }
-                                                        let _e2244 = phi_3141_;
-                                                        let _e2246 = phi_3142_;
-                                                        let _e2248 = phi_3143_;
-                                                        phi_3151_ = _e2244;
-                                                        phi_3152_ = select(_e2248, true, _e2246);
+                                                        let _e1767 = phi_3141_;
+                                                        let _e1769 = phi_3142_;
+                                                        let _e1771 = phi_3143_;
+                                                        phi_3151_ = _e1767;
+                                                        phi_3152_ = select(_e1771, true, _e1769);
                                                     } else {
                                                         phi_3151_ = type_21();
                                                         phi_3152_ = true;
                                                     }
-                                                    let _e2251 = phi_3151_;
-                                                    let _e2253 = phi_3152_;
-                                                    if _e2253 {
+                                                    let _e1774 = phi_3151_;
+                                                    let _e1776 = phi_3152_;
+                                                    if _e1776 {
                                                         phi_3156_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_3156_ = _e2251;
+                                                        phi_3156_ = _e1774;
                                                     }
-                                                    let _e2255 = phi_3156_;
-                                                    if (_e2255.member_3 != 4294967295u) {
-                                                        if (_e1405 == _e171) {
+                                                    let _e1778 = phi_3156_;
+                                                    if (_e1778.member_3 != 4294967295u) {
+                                                        if (_e928 == _e171) {
                                                             phi_3491_ = false;
                                                         } else {
-                                                            let _e2259 = (_e1405 < arrayLength((&global_5.member)));
-                                                            if _e2259 {
-                                                                if _e2259 {
+                                                            let _e1782 = (_e928 < arrayLength((&global_5.member)));
+                                                            if _e1782 {
+                                                                if _e1782 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e2261 = global_5.member[_e1405];
-                                                                phi_3179_ = _e2261;
+                                                                let _e1784 = global_5.member[_e928];
+                                                                phi_3179_ = _e1784;
                                                             } else {
                                                                 phi_3179_ = 4294967295u;
                                                             }
-                                                            let _e2263 = phi_3179_;
-                                                            let _e2264 = (_e2263 < arrayLength((&global_6.member)));
-                                                            if _e2264 {
-                                                                if _e2264 {
+                                                            let _e1786 = phi_3179_;
+                                                            let _e1787 = (_e1786 < arrayLength((&global_6.member)));
+                                                            if _e1787 {
+                                                                if _e1787 {
                                                                 } else {
-                                                                    phi_5036_ = true;
+                                                                    phi_5039_ = true;
                                                                     break;
                                                                 }
-                                                                let _e2266 = global_6.member[_e2263];
-                                                                phi_3193_ = _e2266;
+                                                                let _e1789 = global_6.member[_e1786];
+                                                                phi_3193_ = _e1789;
                                                             } else {
                                                                 phi_3193_ = 0i;
                                                             }
-                                                            let _e2268 = phi_3193_;
-                                                            let _e2269 = (_e2268 == 0i);
-                                                            if _e2269 {
+                                                            let _e1791 = phi_3193_;
+                                                            let _e1792 = (_e1791 == 0i);
+                                                            if _e1792 {
                                                                 phi_3490_ = true;
                                                             } else {
                                                                 if _e460 {
-                                                                    phi_3216_ = vec3<f32>(_e1792[0][0], _e1792[0][1], _e1792[0][2]);
+                                                                    phi_3216_ = vec3<f32>(_e1315[0][0], _e1315[0][1], _e1315[0][2]);
                                                                 } else {
                                                                     if (_e436 == 1u) {
-                                                                        phi_3215_ = vec3<f32>(_e1792[0][2], _e1792[0][0], _e1792[0][1]);
+                                                                        phi_3215_ = vec3<f32>(_e1315[0][2], _e1315[0][0], _e1315[0][1]);
                                                                     } else {
-                                                                        phi_3215_ = vec3<f32>(_e1792[0][1], _e1792[0][2], _e1792[0][0]);
+                                                                        phi_3215_ = vec3<f32>(_e1315[0][1], _e1315[0][2], _e1315[0][0]);
                                                                     }
-                                                                    let _e2274 = phi_3215_;
-                                                                    phi_3216_ = _e2274;
+                                                                    let _e1797 = phi_3215_;
+                                                                    phi_3216_ = _e1797;
                                                                 }
-                                                                let _e2277 = phi_3216_;
+                                                                let _e1800 = phi_3216_;
                                                                 if _e460 {
-                                                                    phi_3235_ = vec3<f32>(_e1792[1][0], _e1792[1][1], _e1792[1][2]);
+                                                                    phi_3235_ = vec3<f32>(_e1315[1][0], _e1315[1][1], _e1315[1][2]);
                                                                 } else {
                                                                     if (_e436 == 1u) {
-                                                                        phi_3234_ = vec3<f32>(_e1792[1][2], _e1792[1][0], _e1792[1][1]);
+                                                                        phi_3234_ = vec3<f32>(_e1315[1][2], _e1315[1][0], _e1315[1][1]);
                                                                     } else {
-                                                                        phi_3234_ = vec3<f32>(_e1792[1][1], _e1792[1][2], _e1792[1][0]);
+                                                                        phi_3234_ = vec3<f32>(_e1315[1][1], _e1315[1][2], _e1315[1][0]);
                                                                     }
-                                                                    let _e2282 = phi_3234_;
-                                                                    phi_3235_ = _e2282;
+                                                                    let _e1805 = phi_3234_;
+                                                                    phi_3235_ = _e1805;
                                                                 }
-                                                                let _e2285 = phi_3235_;
+                                                                let _e1808 = phi_3235_;
                                                                 if _e460 {
-                                                                    phi_3254_ = vec3<f32>(_e1792[2][0], _e1792[2][1], _e1792[2][2]);
+                                                                    phi_3254_ = vec3<f32>(_e1315[2][0], _e1315[2][1], _e1315[2][2]);
                                                                 } else {
                                                                     if (_e436 == 1u) {
-                                                                        phi_3253_ = vec3<f32>(_e1792[2][2], _e1792[2][0], _e1792[2][1]);
+                                                                        phi_3253_ = vec3<f32>(_e1315[2][2], _e1315[2][0], _e1315[2][1]);
                                                                     } else {
-                                                                        phi_3253_ = vec3<f32>(_e1792[2][1], _e1792[2][2], _e1792[2][0]);
+                                                                        phi_3253_ = vec3<f32>(_e1315[2][1], _e1315[2][2], _e1315[2][0]);
                                                                     }
-                                                                    let _e2290 = phi_3253_;
-                                                                    phi_3254_ = _e2290;
+                                                                    let _e1813 = phi_3253_;
+                                                                    phi_3254_ = _e1813;
                                                                 }
-                                                                let _e2293 = phi_3254_;
-                                                                let _e2296 = (_e2285.x - _e2277.x);
-                                                                let _e2299 = (_e2285.y - _e2277.y);
-                                                                let _e2302 = (_e2285.z - _e2277.z);
-                                                                let _e2304 = (_e2293.x - _e2277.x);
-                                                                let _e2306 = (_e2293.y - _e2277.y);
-                                                                let _e2308 = (_e2293.z - _e2277.z);
+                                                                let _e1816 = phi_3254_;
+                                                                let _e1819 = (_e1808.x - _e1800.x);
+                                                                let _e1822 = (_e1808.y - _e1800.y);
+                                                                let _e1825 = (_e1808.z - _e1800.z);
+                                                                let _e1827 = (_e1816.x - _e1800.x);
+                                                                let _e1829 = (_e1816.y - _e1800.y);
+                                                                let _e1831 = (_e1816.z - _e1800.z);
                                                                 if (_e303.member_1 == 1u) {
-                                                                    phi_3290_ = (vec3<f32>(_e303.member[0], _e303.member[1], _e303.member[2]) - _e2277);
+                                                                    phi_3290_ = (vec3<f32>(_e303.member[0], _e303.member[1], _e303.member[2]) - _e1800);
                                                                 } else {
                                                                     phi_3290_ = vec3<f32>(_e303.member[0], _e303.member[1], _e303.member[2]);
                                                                 }
-                                                                let _e2323 = phi_3290_;
-                                                                let _e2329 = bitcast<f32>((bitcast<u32>((_e2296 * _e2306)) ^ _e303.member_3[0]));
-                                                                let _e2333 = bitcast<f32>((bitcast<u32>((_e2299 * _e2304)) ^ _e303.member_3[0]));
-                                                                let _e2337 = bitcast<f32>((bitcast<u32>((_e2299 * _e2308)) ^ _e303.member_3[0]));
-                                                                let _e2341 = bitcast<f32>((bitcast<u32>((_e2302 * _e2306)) ^ _e303.member_3[0]));
-                                                                let _e2345 = bitcast<f32>((bitcast<u32>((_e2302 * _e2304)) ^ _e303.member_3[0]));
-                                                                let _e2349 = bitcast<f32>((bitcast<u32>((_e2296 * _e2308)) ^ _e303.member_3[0]));
-                                                                let _e2350 = (_e2337 - _e2341);
-                                                                let _e2351 = (_e2345 - _e2349);
-                                                                let _e2352 = (_e2329 - _e2333);
-                                                                let _e2376 = (bitcast<f32>((bitcast<u32>(_e2337) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2341) & 2147483647u)));
-                                                                let _e2383 = (bitcast<f32>((bitcast<u32>(_e2345) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2349) & 2147483647u)));
-                                                                let _e2390 = (bitcast<f32>((bitcast<u32>(_e2329) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2333) & 2147483647u)));
+                                                                let _e1846 = phi_3290_;
+                                                                let _e1852 = bitcast<f32>((bitcast<u32>((_e1819 * _e1829)) ^ _e303.member_3[0]));
+                                                                let _e1856 = bitcast<f32>((bitcast<u32>((_e1822 * _e1827)) ^ _e303.member_3[0]));
+                                                                let _e1860 = bitcast<f32>((bitcast<u32>((_e1822 * _e1831)) ^ _e303.member_3[0]));
+                                                                let _e1864 = bitcast<f32>((bitcast<u32>((_e1825 * _e1829)) ^ _e303.member_3[0]));
+                                                                let _e1868 = bitcast<f32>((bitcast<u32>((_e1825 * _e1827)) ^ _e303.member_3[0]));
+                                                                let _e1872 = bitcast<f32>((bitcast<u32>((_e1819 * _e1831)) ^ _e303.member_3[0]));
+                                                                let _e1873 = (_e1860 - _e1864);
+                                                                let _e1874 = (_e1868 - _e1872);
+                                                                let _e1875 = (_e1852 - _e1856);
+                                                                let _e1899 = (bitcast<f32>((bitcast<u32>(_e1860) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1864) & 2147483647u)));
+                                                                let _e1906 = (bitcast<f32>((bitcast<u32>(_e1868) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1872) & 2147483647u)));
+                                                                let _e1913 = (bitcast<f32>((bitcast<u32>(_e1852) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1856) & 2147483647u)));
                                                                 if (_e303.member_2 == 0f) {
                                                                     phi_3472_ = 0f;
                                                                 } else {
-                                                                    let _e2420 = bitcast<f32>((bitcast<u32>(_e2350) & 2147483647u));
-                                                                    let _e2423 = bitcast<f32>((bitcast<u32>(_e2351) & 2147483647u));
-                                                                    let _e2426 = bitcast<f32>((bitcast<u32>(_e2352) & 2147483647u));
-                                                                    let _e2428 = select(_e2426, _e2423, (_e2423 > _e2426));
-                                                                    let _e2432 = select(_e2426, _e2423, (_e2423 < _e2426));
-                                                                    let _e2436 = select(_e2423, _e2420, (_e2420 < _e2423));
-                                                                    let _e2438 = select(_e2423, _e2420, (_e2420 > _e2423));
-                                                                    let _e2440 = select(_e2426, _e2438, (_e2438 < _e2426));
-                                                                    phi_3472_ = bitcast<f32>((bitcast<u32>((_e303.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2428, _e2420, (_e2420 > _e2428)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2440, _e2436, (_e2436 > _e2440)))) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2432, _e2420, (_e2420 < _e2432)))) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2376 + _e2383) + _e2390))) ^ _e303.member_3[0]))) * 1.0000005f)) ^ _e303.member_3[0])))) ^ _e303.member_3[0]));
+                                                                    let _e1943 = bitcast<f32>((bitcast<u32>(_e1873) & 2147483647u));
+                                                                    let _e1946 = bitcast<f32>((bitcast<u32>(_e1874) & 2147483647u));
+                                                                    let _e1949 = bitcast<f32>((bitcast<u32>(_e1875) & 2147483647u));
+                                                                    let _e1951 = select(_e1949, _e1946, (_e1946 > _e1949));
+                                                                    let _e1955 = select(_e1949, _e1946, (_e1946 < _e1949));
+                                                                    let _e1959 = select(_e1946, _e1943, (_e1943 < _e1946));
+                                                                    let _e1961 = select(_e1946, _e1943, (_e1943 > _e1946));
+                                                                    let _e1963 = select(_e1949, _e1961, (_e1961 < _e1949));
+                                                                    phi_3472_ = bitcast<f32>((bitcast<u32>((_e303.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1951, _e1943, (_e1943 > _e1951)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1963, _e1959, (_e1959 > _e1963)))) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1955, _e1943, (_e1943 < _e1955)))) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1899 + _e1906) + _e1913))) ^ _e303.member_3[0]))) * 1.0000005f)) ^ _e303.member_3[0])))) ^ _e303.member_3[0]));
                                                                 }
-                                                                let _e2467 = phi_3472_;
-                                                                phi_3490_ = (_e2269 || !(((((bitcast<f32>((bitcast<u32>((_e2323.x * _e2350)) ^ _e303.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2323.y * _e2351)) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2323.z * _e2352)) ^ _e303.member_3[0]))) * f32(-(_e2268))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2323.x) & 2147483647u)) * _e2376)) ^ _e303.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2323.y) & 2147483647u)) * _e2383)) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2323.z) & 2147483647u)) * _e2390)) ^ _e303.member_3[0]))))) ^ _e303.member_3[0])) + _e2467) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1990 = phi_3472_;
+                                                                phi_3490_ = (_e1792 || !(((((bitcast<f32>((bitcast<u32>((_e1846.x * _e1873)) ^ _e303.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1846.y * _e1874)) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1846.z * _e1875)) ^ _e303.member_3[0]))) * f32(-(_e1791))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1846.x) & 2147483647u)) * _e1899)) ^ _e303.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1846.y) & 2147483647u)) * _e1906)) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1846.z) & 2147483647u)) * _e1913)) ^ _e303.member_3[0]))))) ^ _e303.member_3[0])) + _e1990) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2481 = phi_3490_;
-                                                            phi_3491_ = _e2481;
+                                                            let _e2004 = phi_3490_;
+                                                            phi_3491_ = _e2004;
                                                         }
-                                                        let _e2483 = phi_3491_;
-                                                        if _e2483 {
-                                                            phi_3496_ = type_42(_e1345.member, true);
+                                                        let _e2006 = phi_3491_;
+                                                        if _e2006 {
+                                                            phi_3496_ = type_42(_e868.member, true);
                                                         } else {
-                                                            phi_3496_ = _e1345;
+                                                            phi_3496_ = _e868;
                                                         }
-                                                        let _e2488 = phi_3496_;
-                                                        phi_3497_ = _e2488;
+                                                        let _e2011 = phi_3496_;
+                                                        phi_3497_ = _e2011;
                                                     } else {
-                                                        phi_3497_ = _e1345;
+                                                        phi_3497_ = _e868;
                                                     }
-                                                    let _e2490 = phi_3497_;
-                                                    phi_1494_ = _e2490;
+                                                    let _e2013 = phi_3497_;
+                                                    phi_1494_ = _e2013;
                                                 } else {
                                                     phi_1494_ = type_42();
                                                 }
-                                                let _e2492 = phi_1494_;
+                                                let _e2015 = phi_1494_;
                                                 continue;
                                                 continuing {
-                                                    phi_1493_ = _e2492;
-                                                    phi_1496_ = _e1360;
-                                                    phi_5036_ = _e811;
-                                                    break if !(_e1366);
+                                                    phi_1493_ = _e2015;
+                                                    phi_1496_ = _e883;
+                                                    phi_5039_ = _e811;
+                                                    break if !(_e889);
                                                 }
                                             }
-                                            let _e2495 = phi_5036_;
-                                            phi_5275_ = _e2495;
-                                            if _e2495 {
+                                            let _e2018 = phi_5039_;
+                                            phi_5278_ = _e2018;
+                                            if _e2018 {
                                                 break;
                                             }
-                                            let _e2497 = local_10;
-                                            phi_5279_ = _e2495;
-                                            let _e2743 = local_12;
-                                            phi_4770_ = _e2743;
-                                            phi_4771_ = false;
-                                            phi_4772_ = select(_e854, 0u, _e2497.member_1);
-                                            phi_4773_ = _e856;
+                                            phi_5369_ = _e2018;
+                                            let _e2724 = local_11;
+                                            phi_3498_ = _e2724;
+                                        } else {
+                                            phi_5369_ = _e811;
+                                            phi_3498_ = _e813;
+                                        }
+                                        let _e2020 = phi_5369_;
+                                        let _e2022 = phi_3498_;
+                                        if _e860 {
+                                            phi_4763_ = bool();
+                                            phi_4764_ = u32();
+                                            phi_4765_ = type_58();
                                         } else {
                                             if (_e856.member_1 >= _e103) {
-                                                phi_4305_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                                phi_4299_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
                                                 if (_e856.member_1 < _e103) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e868 = (_e436 * 2u);
-                                                let _e870 = ((1u + _e868) % 7u);
-                                                if (_e870 < 7u) {
+                                                let _e2025 = (_e436 * 2u);
+                                                let _e2027 = ((1u + _e2025) % 7u);
+                                                if (_e2027 < 7u) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e875 = global_8.member[_e856.member_1][_e870];
-                                                let _e877 = ((_e868 + 2u) % 7u);
-                                                if (_e877 < 7u) {
+                                                let _e2032 = global_8.member[_e856.member_1][_e2027];
+                                                let _e2034 = ((_e2025 + 2u) % 7u);
+                                                if (_e2034 < 7u) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e882 = global_8.member[_e856.member_1][_e877];
-                                                let _e883 = (_e435 * 2u);
-                                                let _e885 = ((1u + _e883) % 7u);
-                                                if (_e885 < 7u) {
+                                                let _e2039 = global_8.member[_e856.member_1][_e2034];
+                                                let _e2040 = (_e435 * 2u);
+                                                let _e2042 = ((1u + _e2040) % 7u);
+                                                if (_e2042 < 7u) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e890 = global_8.member[_e856.member_1][_e885];
-                                                let _e892 = ((_e883 + 2u) % 7u);
-                                                if (_e892 < 7u) {
+                                                let _e2047 = global_8.member[_e856.member_1][_e2042];
+                                                let _e2049 = ((_e2040 + 2u) % 7u);
+                                                if (_e2049 < 7u) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e897 = global_8.member[_e856.member_1][_e892];
-                                                let _e898 = (_e437 * 2u);
-                                                let _e900 = ((1u + _e898) % 7u);
-                                                if (_e900 < 7u) {
+                                                let _e2054 = global_8.member[_e856.member_1][_e2049];
+                                                let _e2055 = (_e437 * 2u);
+                                                let _e2057 = ((1u + _e2055) % 7u);
+                                                if (_e2057 < 7u) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e905 = global_8.member[_e856.member_1][_e900];
-                                                let _e907 = ((_e898 + 2u) % 7u);
-                                                if (_e907 < 7u) {
+                                                let _e2062 = global_8.member[_e856.member_1][_e2057];
+                                                let _e2064 = ((_e2055 + 2u) % 7u);
+                                                if (_e2064 < 7u) {
                                                 } else {
-                                                    phi_5275_ = true;
+                                                    phi_5278_ = true;
                                                     break;
                                                 }
-                                                let _e912 = global_8.member[_e856.member_1][_e907];
-                                                let _e935 = (bitcast<f32>((bitcast<u32>((_e856.member.member_1.x - _e856.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e936 = (bitcast<f32>((bitcast<u32>((_e856.member.member_1.y - _e856.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e937 = (bitcast<f32>((bitcast<u32>((_e856.member.member_1.z - _e856.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e939 = select(_e162, _e935, (_e935 > _e162));
-                                                let _e941 = select(_e162, _e936, (_e936 > _e162));
-                                                let _e943 = select(_e162, _e937, (_e937 > _e162));
-                                                let _e974 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e875 & 2097151u))) - 8388608f) * _e939));
-                                                let _e979 = (bitcast<i32>((_e875 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e982 = bitcast<f32>((_e974 & bitcast<u32>(_e979)));
-                                                let _e983 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e890 & 2097151u))) - 8388608f) * _e941));
-                                                let _e988 = (bitcast<i32>((_e890 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e991 = bitcast<f32>((_e983 & bitcast<u32>(_e988)));
-                                                let _e992 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e905 & 2097151u))) - 8388608f) * _e943));
-                                                let _e997 = (bitcast<i32>((_e905 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1000 = bitcast<f32>((_e992 & bitcast<u32>(_e997)));
-                                                let _e1004 = bitcast<f32>((_e974 & bitcast<u32>(~(_e979))));
-                                                let _e1008 = bitcast<f32>((_e983 & bitcast<u32>(~(_e988))));
-                                                let _e1012 = bitcast<f32>((_e992 & bitcast<u32>(~(_e997))));
-                                                let _e1013 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e882 & 2097151u))) - 8388608f) * _e939));
-                                                let _e1018 = (bitcast<i32>((_e882 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1021 = bitcast<f32>((_e1013 & bitcast<u32>(_e1018)));
-                                                let _e1022 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e897 & 2097151u))) - 8388608f) * _e941));
-                                                let _e1027 = (bitcast<i32>((_e897 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1030 = bitcast<f32>((_e1022 & bitcast<u32>(_e1027)));
-                                                let _e1031 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e912 & 2097151u))) - 8388608f) * _e943));
-                                                let _e1036 = (bitcast<i32>((_e912 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1039 = bitcast<f32>((_e1031 & bitcast<u32>(_e1036)));
-                                                let _e1043 = bitcast<f32>((_e1013 & bitcast<u32>(~(_e1018))));
-                                                let _e1047 = bitcast<f32>((_e1022 & bitcast<u32>(~(_e1027))));
-                                                let _e1051 = bitcast<f32>((_e1031 & bitcast<u32>(~(_e1036))));
-                                                let _e1052 = (_e856.member.member.x + _e982);
-                                                let _e1053 = (_e856.member.member.y + _e991);
-                                                let _e1054 = (_e856.member.member.z + _e1000);
-                                                let _e1057 = (_e856.member.member_1.x - _e1021);
-                                                let _e1058 = (_e856.member.member_1.y - _e1030);
-                                                let _e1059 = (_e856.member.member_1.z - _e1039);
-                                                let _e1078 = (_e1057 - _e1052);
-                                                let _e1079 = (_e1058 - _e1053);
-                                                let _e1080 = (_e1059 - _e1054);
-                                                let _e1082 = select(_e1079, _e1078, (_e1078 > _e1079));
-                                                let _e1084 = select(_e1080, _e1082, (_e1082 > _e1080));
-                                                if (_e1084 < (1024f * _e162)) {
-                                                    phi_4006_ = 0u;
+                                                let _e2069 = global_8.member[_e856.member_1][_e2064];
+                                                let _e2092 = (bitcast<f32>((bitcast<u32>((_e856.member.member_1.x - _e856.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e2093 = (bitcast<f32>((bitcast<u32>((_e856.member.member_1.y - _e856.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e2094 = (bitcast<f32>((bitcast<u32>((_e856.member.member_1.z - _e856.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e2096 = select(_e162, _e2092, (_e2092 > _e162));
+                                                let _e2098 = select(_e162, _e2093, (_e2093 > _e162));
+                                                let _e2100 = select(_e162, _e2094, (_e2094 > _e162));
+                                                let _e2131 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2032 & 2097151u))) - 8388608f) * _e2096));
+                                                let _e2136 = (bitcast<i32>((_e2032 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2139 = bitcast<f32>((_e2131 & bitcast<u32>(_e2136)));
+                                                let _e2140 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2047 & 2097151u))) - 8388608f) * _e2098));
+                                                let _e2145 = (bitcast<i32>((_e2047 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2148 = bitcast<f32>((_e2140 & bitcast<u32>(_e2145)));
+                                                let _e2149 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2062 & 2097151u))) - 8388608f) * _e2100));
+                                                let _e2154 = (bitcast<i32>((_e2062 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2157 = bitcast<f32>((_e2149 & bitcast<u32>(_e2154)));
+                                                let _e2161 = bitcast<f32>((_e2131 & bitcast<u32>(~(_e2136))));
+                                                let _e2165 = bitcast<f32>((_e2140 & bitcast<u32>(~(_e2145))));
+                                                let _e2169 = bitcast<f32>((_e2149 & bitcast<u32>(~(_e2154))));
+                                                let _e2170 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2039 & 2097151u))) - 8388608f) * _e2096));
+                                                let _e2175 = (bitcast<i32>((_e2039 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2178 = bitcast<f32>((_e2170 & bitcast<u32>(_e2175)));
+                                                let _e2179 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2054 & 2097151u))) - 8388608f) * _e2098));
+                                                let _e2184 = (bitcast<i32>((_e2054 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2187 = bitcast<f32>((_e2179 & bitcast<u32>(_e2184)));
+                                                let _e2188 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2069 & 2097151u))) - 8388608f) * _e2100));
+                                                let _e2193 = (bitcast<i32>((_e2069 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2196 = bitcast<f32>((_e2188 & bitcast<u32>(_e2193)));
+                                                let _e2200 = bitcast<f32>((_e2170 & bitcast<u32>(~(_e2175))));
+                                                let _e2204 = bitcast<f32>((_e2179 & bitcast<u32>(~(_e2184))));
+                                                let _e2208 = bitcast<f32>((_e2188 & bitcast<u32>(~(_e2193))));
+                                                let _e2209 = (_e856.member.member.x + _e2139);
+                                                let _e2210 = (_e856.member.member.y + _e2148);
+                                                let _e2211 = (_e856.member.member.z + _e2157);
+                                                let _e2214 = (_e856.member.member_1.x - _e2178);
+                                                let _e2215 = (_e856.member.member_1.y - _e2187);
+                                                let _e2216 = (_e856.member.member_1.z - _e2196);
+                                                let _e2235 = (_e2214 - _e2209);
+                                                let _e2236 = (_e2215 - _e2210);
+                                                let _e2237 = (_e2216 - _e2211);
+                                                let _e2239 = select(_e2236, _e2235, (_e2235 > _e2236));
+                                                let _e2241 = select(_e2237, _e2239, (_e2239 > _e2237));
+                                                if (_e2241 < (1024f * _e162)) {
+                                                    phi_4000_ = 0u;
                                                 } else {
-                                                    phi_4006_ = select(2u, 1u, (_e1084 < (2097152f * _e162)));
+                                                    phi_4000_ = select(2u, 1u, (_e2241 < (2097152f * _e162)));
                                                 }
-                                                let _e1091 = phi_4006_;
-                                                switch bitcast<i32>(_e1091) {
+                                                let _e2248 = phi_4000_;
+                                                switch bitcast<i32>(_e2248) {
                                                     case 0: {
-                                                        phi_4012_ = 1u;
+                                                        phi_4006_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_4012_ = 2u;
+                                                        phi_4006_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_4012_ = 3u;
+                                                        phi_4006_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_4012_ = u32();
+                                                        phi_4006_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1094 = phi_4012_;
-                                                let _e1100 = global_8.member[_e856.member_1][0u];
-                                                let _e1104 = global_8.member[_e856.member_1][2u];
-                                                let _e1108 = global_8.member[_e856.member_1][4u];
-                                                let _e1112 = global_8.member[_e856.member_1][6u];
-                                                let _e1124 = (((_e1104 >> bitcast<u32>(22i)) | ((_e1108 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1112 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e1125 = (_e1100 & 268435455u);
-                                                let _e1126 = (_e1124 & 268435455u);
-                                                let _e1129 = ((_e1100 >> bitcast<u32>(28u)) & 7u);
-                                                let _e1137 = ((_e1100 >> bitcast<u32>(31i)) | (((_e1124 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e1138 = (_e1129 != 0u);
-                                                if (_e1129 == 0u) {
-                                                    phi_4267_ = _e1125;
+                                                let _e2251 = phi_4006_;
+                                                let _e2257 = global_8.member[_e856.member_1][0u];
+                                                let _e2261 = global_8.member[_e856.member_1][2u];
+                                                let _e2265 = global_8.member[_e856.member_1][4u];
+                                                let _e2269 = global_8.member[_e856.member_1][6u];
+                                                let _e2281 = (((_e2261 >> bitcast<u32>(22i)) | ((_e2265 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2269 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e2282 = (_e2257 & 268435455u);
+                                                let _e2283 = (_e2281 & 268435455u);
+                                                let _e2286 = ((_e2257 >> bitcast<u32>(28u)) & 7u);
+                                                let _e2294 = ((_e2257 >> bitcast<u32>(31i)) | (((_e2281 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e2295 = (_e2286 != 0u);
+                                                if (_e2286 == 0u) {
+                                                    phi_4261_ = _e2282;
                                                 } else {
-                                                    if (_e1129 == 7u) {
-                                                        phi_4266_ = 2147483648u;
+                                                    if (_e2286 == 7u) {
+                                                        phi_4260_ = 2147483648u;
                                                     } else {
-                                                        phi_4266_ = ((2147483648u | (_e1129 << bitcast<u32>(28u))) | (_e1126 & 268435455u));
+                                                        phi_4260_ = ((2147483648u | (_e2286 << bitcast<u32>(28u))) | (_e2283 & 268435455u));
                                                     }
-                                                    let _e1147 = phi_4266_;
-                                                    phi_4267_ = _e1147;
+                                                    let _e2304 = phi_4260_;
+                                                    phi_4261_ = _e2304;
                                                 }
-                                                let _e1149 = phi_4267_;
-                                                if _e1138 {
-                                                    let _e1150 = (_e1129 != 7u);
-                                                    if _e1150 {
-                                                        phi_4277_ = (_e1126 + (_e1129 * ((3u * _e1094) + 1u)));
+                                                let _e2306 = phi_4261_;
+                                                if _e2295 {
+                                                    let _e2307 = (_e2286 != 7u);
+                                                    if _e2307 {
+                                                        phi_4271_ = (_e2283 + (_e2286 * ((3u * _e2251) + 1u)));
                                                     } else {
-                                                        phi_4277_ = u32();
+                                                        phi_4271_ = u32();
                                                     }
-                                                    let _e1154 = phi_4277_;
-                                                    phi_4279_ = _e1154;
-                                                    phi_4280_ = select(true, false, _e1150);
+                                                    let _e2311 = phi_4271_;
+                                                    phi_4273_ = _e2311;
+                                                    phi_4274_ = select(true, false, _e2307);
                                                 } else {
-                                                    phi_4279_ = u32();
-                                                    phi_4280_ = true;
+                                                    phi_4273_ = u32();
+                                                    phi_4274_ = true;
                                                 }
-                                                let _e1157 = phi_4279_;
-                                                let _e1159 = phi_4280_;
-                                                if (_e1137 == 0u) {
-                                                    phi_4301_ = (_e1125 + select(0u, 1u, !(_e1138)));
+                                                let _e2314 = phi_4273_;
+                                                let _e2316 = phi_4274_;
+                                                if (_e2294 == 0u) {
+                                                    phi_4295_ = (_e2282 + select(0u, 1u, !(_e2295)));
                                                 } else {
-                                                    if (_e1137 == 7u) {
-                                                        phi_4300_ = 2147483648u;
+                                                    if (_e2294 == 7u) {
+                                                        phi_4294_ = 2147483648u;
                                                     } else {
-                                                        phi_4300_ = ((2147483648u | (_e1137 << bitcast<u32>(28u))) | (select(_e1157, _e1126, _e1159) & 268435455u));
+                                                        phi_4294_ = ((2147483648u | (_e2294 << bitcast<u32>(28u))) | (select(_e2314, _e2283, _e2316) & 268435455u));
                                                     }
-                                                    let _e1172 = phi_4300_;
-                                                    phi_4301_ = _e1172;
+                                                    let _e2329 = phi_4294_;
+                                                    phi_4295_ = _e2329;
                                                 }
-                                                let _e1174 = phi_4301_;
-                                                phi_4305_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e1052, (_e856.member.member.x + _e1004), _e1057, (_e856.member.member_1.x - _e1043)), vec4<f32>(_e1053, (_e856.member.member.y + _e1008), _e1058, (_e856.member.member_1.y - _e1047)), vec4<f32>(_e1054, (_e856.member.member.z + _e1012), _e1059, (_e856.member.member_1.z - _e1051))), type_58(type_30((_e856.member.member + vec4<f32>(_e982, _e991, _e1000, 0f)), (_e856.member.member_1 - vec4<f32>(_e1021, _e1030, _e1039, 0f))), _e1149), type_58(type_30((_e856.member.member + vec4<f32>(_e1004, _e1008, _e1012, 0f)), (_e856.member.member_1 - vec4<f32>(_e1043, _e1047, _e1051, 0f))), _e1174));
+                                                let _e2331 = phi_4295_;
+                                                phi_4299_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e2209, (_e856.member.member.x + _e2161), _e2214, (_e856.member.member_1.x - _e2200)), vec4<f32>(_e2210, (_e856.member.member.y + _e2165), _e2215, (_e856.member.member_1.y - _e2204)), vec4<f32>(_e2211, (_e856.member.member.z + _e2169), _e2216, (_e856.member.member_1.z - _e2208))), type_58(type_30((_e856.member.member + vec4<f32>(_e2139, _e2148, _e2157, 0f)), (_e856.member.member_1 - vec4<f32>(_e2178, _e2187, _e2196, 0f))), _e2306), type_58(type_30((_e856.member.member + vec4<f32>(_e2161, _e2165, _e2169, 0f)), (_e856.member.member_1 - vec4<f32>(_e2200, _e2204, _e2208, 0f))), _e2331));
                                             }
-                                            let _e1179 = phi_4305_;
-                                            let _e1191 = ((_e1179.member[0].x - _e521) * _e526);
-                                            let _e1192 = ((_e1179.member[0].y - _e521) * _e526);
-                                            let _e1193 = ((_e1179.member[0].z - _e522) * _e526);
-                                            let _e1194 = ((_e1179.member[0].w - _e522) * _e526);
-                                            let _e1204 = ((_e1179.member[1].x - _e587) * _e592);
-                                            let _e1205 = ((_e1179.member[1].y - _e587) * _e592);
-                                            let _e1206 = ((_e1179.member[1].z - _e588) * _e592);
-                                            let _e1207 = ((_e1179.member[1].w - _e588) * _e592);
-                                            let _e1217 = ((_e1179.member[2].x - _e653) * _e658);
-                                            let _e1218 = ((_e1179.member[2].y - _e653) * _e658);
-                                            let _e1219 = ((_e1179.member[2].z - _e654) * _e658);
-                                            let _e1220 = ((_e1179.member[2].w - _e654) * _e658);
-                                            let _e1222 = select(_e1219, _e1217, (_e1217 < _e1219));
-                                            let _e1224 = select(_e1220, _e1218, (_e1218 < _e1220));
-                                            let _e1226 = select(_e1219, _e1217, (_e1217 > _e1219));
-                                            let _e1228 = select(_e1220, _e1218, (_e1218 > _e1220));
-                                            let _e1230 = select(_e1193, _e1191, (_e1191 < _e1193));
-                                            let _e1232 = select(_e1194, _e1192, (_e1192 < _e1194));
-                                            let _e1234 = select(_e1206, _e1204, (_e1204 < _e1206));
-                                            let _e1236 = select(_e1207, _e1205, (_e1205 < _e1207));
-                                            let _e1238 = select(_e1234, _e1230, (_e1230 > _e1234));
-                                            let _e1240 = select(_e1236, _e1232, (_e1232 > _e1236));
-                                            let _e1242 = select(_e1222, _e1238, (_e1238 > _e1222));
-                                            let _e1244 = select(_e1224, _e1240, (_e1240 > _e1224));
-                                            let _e1246 = select(_e1193, _e1191, (_e1191 > _e1193));
-                                            let _e1248 = select(_e1194, _e1192, (_e1192 > _e1194));
-                                            let _e1250 = select(_e1206, _e1204, (_e1204 > _e1206));
-                                            let _e1252 = select(_e1207, _e1205, (_e1205 > _e1207));
-                                            let _e1254 = select(_e1250, _e1246, (_e1246 < _e1250));
-                                            let _e1256 = select(_e1252, _e1248, (_e1248 < _e1252));
-                                            let _e1261 = -(_e1222);
-                                            let _e1262 = -(_e1224);
-                                            let _e1269 = (select(_e1226, _e1254, (_e1254 < _e1226)) + (select(_e1261, _e1226, (_e1226 > _e1261)) * 0.0000019073523f));
-                                            let _e1270 = (select(_e1228, _e1256, (_e1256 < _e1228)) + (select(_e1262, _e1228, (_e1228 > _e1262)) * 0.0000019073523f));
-                                            let _e1272 = select(_e769, _e1242, (_e1242 > _e769));
-                                            let _e1274 = select(_e769, _e1244, (_e1244 > _e769));
-                                            let _e1279 = (_e1272 <= select(_e813.member, _e1269, (_e1269 < _e813.member)));
-                                            let _e1280 = (_e1274 <= select(_e813.member, _e1270, (_e1270 < _e813.member)));
-                                            let _e1281 = (_e1272 <= _e1274);
-                                            if _e1279 {
-                                                if _e1280 {
-                                                    if _e1281 {
-                                                        phi_4667_ = _e1179.member_2;
+                                            let _e2336 = phi_4299_;
+                                            let _e2348 = ((_e2336.member[0].x - _e521) * _e526);
+                                            let _e2349 = ((_e2336.member[0].y - _e521) * _e526);
+                                            let _e2350 = ((_e2336.member[0].z - _e522) * _e526);
+                                            let _e2351 = ((_e2336.member[0].w - _e522) * _e526);
+                                            let _e2361 = ((_e2336.member[1].x - _e587) * _e592);
+                                            let _e2362 = ((_e2336.member[1].y - _e587) * _e592);
+                                            let _e2363 = ((_e2336.member[1].z - _e588) * _e592);
+                                            let _e2364 = ((_e2336.member[1].w - _e588) * _e592);
+                                            let _e2374 = ((_e2336.member[2].x - _e653) * _e658);
+                                            let _e2375 = ((_e2336.member[2].y - _e653) * _e658);
+                                            let _e2376 = ((_e2336.member[2].z - _e654) * _e658);
+                                            let _e2377 = ((_e2336.member[2].w - _e654) * _e658);
+                                            let _e2379 = select(_e2376, _e2374, (_e2374 < _e2376));
+                                            let _e2381 = select(_e2377, _e2375, (_e2375 < _e2377));
+                                            let _e2383 = select(_e2376, _e2374, (_e2374 > _e2376));
+                                            let _e2385 = select(_e2377, _e2375, (_e2375 > _e2377));
+                                            let _e2387 = select(_e2350, _e2348, (_e2348 < _e2350));
+                                            let _e2389 = select(_e2351, _e2349, (_e2349 < _e2351));
+                                            let _e2391 = select(_e2363, _e2361, (_e2361 < _e2363));
+                                            let _e2393 = select(_e2364, _e2362, (_e2362 < _e2364));
+                                            let _e2395 = select(_e2391, _e2387, (_e2387 > _e2391));
+                                            let _e2397 = select(_e2393, _e2389, (_e2389 > _e2393));
+                                            let _e2399 = select(_e2379, _e2395, (_e2395 > _e2379));
+                                            let _e2401 = select(_e2381, _e2397, (_e2397 > _e2381));
+                                            let _e2403 = select(_e2350, _e2348, (_e2348 > _e2350));
+                                            let _e2405 = select(_e2351, _e2349, (_e2349 > _e2351));
+                                            let _e2407 = select(_e2363, _e2361, (_e2361 > _e2363));
+                                            let _e2409 = select(_e2364, _e2362, (_e2362 > _e2364));
+                                            let _e2411 = select(_e2407, _e2403, (_e2403 < _e2407));
+                                            let _e2413 = select(_e2409, _e2405, (_e2405 < _e2409));
+                                            let _e2418 = -(_e2379);
+                                            let _e2419 = -(_e2381);
+                                            let _e2426 = (select(_e2383, _e2411, (_e2411 < _e2383)) + (select(_e2418, _e2383, (_e2383 > _e2418)) * 0.0000019073523f));
+                                            let _e2427 = (select(_e2385, _e2413, (_e2413 < _e2385)) + (select(_e2419, _e2385, (_e2385 > _e2419)) * 0.0000019073523f));
+                                            let _e2429 = select(_e769, _e2399, (_e2399 > _e769));
+                                            let _e2431 = select(_e769, _e2401, (_e2401 > _e769));
+                                            let _e2436 = (_e2429 <= select(_e2022.member, _e2426, (_e2426 < _e2022.member)));
+                                            let _e2437 = (_e2431 <= select(_e2022.member, _e2427, (_e2427 < _e2022.member)));
+                                            let _e2438 = (_e2429 <= _e2431);
+                                            if _e2436 {
+                                                if _e2437 {
+                                                    if _e2438 {
+                                                        phi_4661_ = _e2336.member_2;
                                                     } else {
-                                                        phi_4667_ = _e1179.member_1;
+                                                        phi_4661_ = _e2336.member_1;
                                                     }
-                                                    let _e1285 = phi_4667_;
-                                                    let _e1307 = (_e854 % 128u);
-                                                    let _e1308 = (_e1307 < 128u);
-                                                    if _e1308 {
+                                                    let _e2442 = phi_4661_;
+                                                    let _e2463 = (_e854 % 128u);
+                                                    let _e2464 = (_e2463 < 128u);
+                                                    if _e2464 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1307] = _e1285.member_1;
-                                                    if _e1308 {
+                                                    local_8[_e2463] = _e2442.member_1;
+                                                    if _e2464 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1307] = _e1285.member.member.x;
-                                                    if _e1308 {
+                                                    local_7[_e2463] = _e2442.member.member.x;
+                                                    if _e2464 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1307] = _e1285.member.member.y;
-                                                    if _e1308 {
+                                                    local_6[_e2463] = _e2442.member.member.y;
+                                                    if _e2464 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1307] = _e1285.member.member.z;
-                                                    if _e1308 {
+                                                    local_5[_e2463] = _e2442.member.member.z;
+                                                    if _e2464 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1307] = _e1285.member.member_1.x;
-                                                    if _e1308 {
+                                                    local_4[_e2463] = _e2442.member.member_1.x;
+                                                    if _e2464 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1307] = _e1285.member.member_1.y;
-                                                    if _e1308 {
+                                                    local_3[_e2463] = _e2442.member.member_1.y;
+                                                    if _e2464 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1307] = _e1285.member.member_1.z;
-                                                    if _e1308 {
+                                                    local_2[_e2463] = _e2442.member.member_1.z;
+                                                    if _e2464 {
                                                     } else {
-                                                        phi_5275_ = true;
+                                                        phi_5278_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1307] = select(_e1274, _e1272, !(_e1281));
-                                                    if _e1281 {
-                                                        phi_4744_ = _e1179.member_1;
+                                                    local_9[_e2463] = select(_e2429, _e2431, _e2438);
+                                                    if _e2438 {
+                                                        phi_4737_ = _e2336.member_1;
                                                     } else {
-                                                        phi_4744_ = _e1179.member_2;
+                                                        phi_4737_ = _e2336.member_2;
                                                     }
-                                                    let _e1321 = phi_4744_;
-                                                    phi_4745_ = (_e854 + 1u);
-                                                    phi_4746_ = _e1321;
+                                                    let _e2477 = phi_4737_;
+                                                    phi_4738_ = (_e854 + 1u);
+                                                    phi_4739_ = _e2477;
                                                 } else {
-                                                    phi_4745_ = u32();
-                                                    phi_4746_ = type_58();
+                                                    phi_4738_ = u32();
+                                                    phi_4739_ = type_58();
                                                 }
-                                                let _e1323 = phi_4745_;
-                                                let _e1325 = phi_4746_;
-                                                phi_4748_ = _e1323;
-                                                phi_4749_ = _e1325;
-                                                phi_4750_ = select(true, false, _e1280);
+                                                let _e2479 = phi_4738_;
+                                                let _e2481 = phi_4739_;
+                                                phi_4741_ = _e2479;
+                                                phi_4742_ = _e2481;
+                                                phi_4743_ = select(true, false, _e2437);
                                             } else {
-                                                phi_4748_ = u32();
-                                                phi_4749_ = type_58();
-                                                phi_4750_ = true;
+                                                phi_4741_ = u32();
+                                                phi_4742_ = type_58();
+                                                phi_4743_ = true;
                                             }
-                                            let _e1328 = phi_4748_;
-                                            let _e1330 = phi_4749_;
-                                            let _e1332 = phi_4750_;
-                                            if _e1332 {
-                                                if _e1279 {
-                                                    phi_4759_ = _e1179.member_1;
+                                            let _e2484 = phi_4741_;
+                                            let _e2486 = phi_4742_;
+                                            let _e2488 = phi_4743_;
+                                            if _e2488 {
+                                                if _e2436 {
+                                                    phi_4752_ = _e2336.member_1;
                                                 } else {
-                                                    phi_4759_ = _e1179.member_2;
+                                                    phi_4752_ = _e2336.member_2;
                                                 }
-                                                let _e1336 = phi_4759_;
-                                                phi_4764_ = select(_e1280, true, _e1279);
-                                                phi_4766_ = _e1336;
+                                                let _e2492 = phi_4752_;
+                                                phi_4757_ = select(_e2437, true, _e2436);
+                                                phi_4759_ = _e2492;
                                             } else {
-                                                phi_4764_ = _e852;
-                                                phi_4766_ = _e1330;
+                                                phi_4757_ = _e852;
+                                                phi_4759_ = _e2486;
                                             }
-                                            let _e1339 = phi_4764_;
-                                            let _e1341 = phi_4766_;
-                                            phi_5279_ = _e811;
-                                            phi_4770_ = _e813;
-                                            phi_4771_ = _e1339;
-                                            phi_4772_ = select(_e1328, _e854, _e1332);
-                                            phi_4773_ = _e1341;
+                                            let _e2495 = phi_4757_;
+                                            let _e2497 = phi_4759_;
+                                            phi_4763_ = _e2495;
+                                            phi_4764_ = select(_e2484, _e854, _e2488);
+                                            phi_4765_ = _e2497;
                                         }
-                                        let _e2501 = phi_5279_;
-                                        let _e2503 = phi_4770_;
-                                        let _e2505 = phi_4771_;
-                                        let _e2507 = phi_4772_;
-                                        let _e2509 = phi_4773_;
-                                        phi_5278_ = _e2501;
-                                        phi_4774_ = _e2503;
-                                        phi_4775_ = _e2505;
-                                        phi_4776_ = (_e817 - 1u);
-                                        phi_4777_ = _e2507;
-                                        phi_4778_ = _e2509;
+                                        let _e2500 = phi_4763_;
+                                        let _e2502 = phi_4764_;
+                                        let _e2504 = phi_4765_;
+                                        if _e860 {
+                                            phi_4775_ = select(_e854, 0u, _e2022.member_1);
+                                            phi_4776_ = _e856;
+                                        } else {
+                                            phi_4775_ = _e2502;
+                                            phi_4776_ = _e2504;
+                                        }
+                                        let _e2508 = phi_4775_;
+                                        let _e2510 = phi_4776_;
+                                        phi_5281_ = _e2020;
+                                        phi_4777_ = _e2022;
+                                        phi_4778_ = (_e815 - 1u);
+                                        phi_4779_ = select(_e2500, false, _e860);
+                                        phi_4780_ = _e2508;
+                                        phi_4781_ = _e2510;
                                     } else {
-                                        phi_5278_ = _e811;
-                                        phi_4774_ = _e813;
-                                        phi_4775_ = _e852;
-                                        phi_4776_ = _e817;
-                                        phi_4777_ = _e854;
-                                        phi_4778_ = _e856;
+                                        phi_5281_ = _e811;
+                                        phi_4777_ = _e813;
+                                        phi_4778_ = _e815;
+                                        phi_4779_ = _e852;
+                                        phi_4780_ = _e854;
+                                        phi_4781_ = _e856;
                                     }
-                                    let _e2511 = phi_5278_;
-                                    let _e2513 = phi_4774_;
-                                    let _e2515 = phi_4775_;
-                                    let _e2517 = phi_4776_;
-                                    let _e2519 = phi_4777_;
-                                    let _e2521 = phi_4778_;
-                                    phi_5277_ = _e2511;
-                                    phi_4779_ = _e2513;
-                                    phi_4780_ = _e2515;
-                                    phi_4781_ = _e2517;
-                                    phi_4782_ = _e2519;
-                                    phi_4783_ = _e2521;
+                                    let _e2513 = phi_5281_;
+                                    let _e2515 = phi_4777_;
+                                    let _e2517 = phi_4778_;
+                                    let _e2519 = phi_4779_;
+                                    let _e2521 = phi_4780_;
+                                    let _e2523 = phi_4781_;
+                                    phi_5280_ = _e2513;
+                                    phi_4782_ = _e2515;
+                                    phi_4783_ = _e2517;
+                                    phi_4784_ = _e2519;
+                                    phi_4785_ = _e2521;
+                                    phi_4786_ = _e2523;
                                 } else {
-                                    phi_5277_ = _e811;
-                                    phi_4779_ = type_42();
-                                    phi_4780_ = bool();
-                                    phi_4781_ = u32();
-                                    phi_4782_ = u32();
-                                    phi_4783_ = type_58();
+                                    phi_5280_ = _e811;
+                                    phi_4782_ = type_42();
+                                    phi_4783_ = u32();
+                                    phi_4784_ = bool();
+                                    phi_4785_ = u32();
+                                    phi_4786_ = type_58();
                                 }
-                                let _e2523 = phi_5277_;
-                                let _e2525 = phi_4779_;
-                                let _e2527 = phi_4780_;
-                                let _e2529 = phi_4781_;
-                                let _e2531 = phi_4782_;
-                                let _e2533 = phi_4783_;
-                                phi_5276_ = _e2523;
-                                phi_1367_ = _e2525;
-                                phi_1370_ = _e2527;
-                                phi_1372_ = _e2529;
-                                phi_1374_ = _e2531;
-                                phi_1376_ = _e2533;
-                                phi_4784_ = _e825;
+                                let _e2525 = phi_5280_;
+                                let _e2527 = phi_4782_;
+                                let _e2529 = phi_4783_;
+                                let _e2531 = phi_4784_;
+                                let _e2533 = phi_4785_;
+                                let _e2535 = phi_4786_;
+                                phi_5279_ = _e2525;
+                                phi_1367_ = _e2527;
+                                phi_1370_ = _e2529;
+                                phi_1372_ = _e2531;
+                                phi_1374_ = _e2533;
+                                phi_1376_ = _e2535;
+                                phi_4787_ = _e825;
                             } else {
-                                phi_5276_ = _e811;
+                                phi_5279_ = _e811;
                                 phi_1367_ = type_42();
-                                phi_1370_ = bool();
-                                phi_1372_ = u32();
+                                phi_1370_ = u32();
+                                phi_1372_ = bool();
                                 phi_1374_ = u32();
                                 phi_1376_ = type_58();
-                                phi_4784_ = false;
+                                phi_4787_ = false;
                             }
-                            let _e2535 = phi_5276_;
-                            let _e2537 = phi_1367_;
-                            let _e2539 = phi_1370_;
-                            let _e2541 = phi_1372_;
-                            let _e2543 = phi_1374_;
-                            let _e2545 = phi_1376_;
-                            let _e2547 = phi_4784_;
+                            let _e2537 = phi_5279_;
+                            let _e2539 = phi_1367_;
+                            let _e2541 = phi_1370_;
+                            let _e2543 = phi_1372_;
+                            let _e2545 = phi_1374_;
+                            let _e2547 = phi_1376_;
+                            let _e2549 = phi_4787_;
                             continue;
                             continuing {
-                                phi_5042_ = _e2535;
-                                phi_1366_ = _e2537;
-                                phi_1369_ = _e2539;
-                                phi_1371_ = _e2541;
-                                phi_1373_ = _e2543;
-                                phi_1375_ = _e2545;
-                                phi_5275_ = _e2535;
-                                break if !(_e2547);
+                                phi_5045_ = _e2537;
+                                phi_1366_ = _e2539;
+                                phi_1369_ = _e2541;
+                                phi_1371_ = _e2543;
+                                phi_1373_ = _e2545;
+                                phi_1375_ = _e2547;
+                                phi_5278_ = _e2537;
+                                break if !(_e2549);
                             }
                         }
-                        let _e2550 = phi_5275_;
-                        if _e2550 {
+                        let _e2552 = phi_5278_;
+                        if _e2552 {
                             break;
                         }
-                        let _e2552 = local_11;
-                        if _e2552.member_1 {
+                        let _e2554 = local_10;
+                        if _e2554.member_1 {
                         } else {
                             if _e304 {
                             } else {
                                 break;
                             }
-                            let _e2556 = global_2.member[_e150];
+                            let _e2558 = global_2.member[_e150];
                             if _e165 {
                             } else {
                                 break;
                             }
-                            let _e2560 = global_9.member[_e150].member_1;
+                            let _e2562 = global_9.member[_e150].member_1;
                             if _e304 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e150] = type_23(_e2556.member, _e2556.member_1, _e2556.member_2, array<f32, 3>((_e2556.member_3[0] + (_e2560[0] * _e2556.member_1[0])), (_e2556.member_3[1] + (_e2560[1] * _e2556.member_1[1])), (_e2556.member_3[2] + (_e2560[2] * _e2556.member_1[2]))), _e2556.member_4);
+                            global_2.member[_e150] = type_23(_e2558.member, _e2558.member_1, _e2558.member_2, array<f32, 3>((_e2558.member_3[0] + (_e2562[0] * _e2558.member_1[0])), (_e2558.member_3[1] + (_e2562[1] * _e2558.member_1[1])), (_e2558.member_3[2] + (_e2562[2] * _e2558.member_1[2]))), _e2558.member_4);
                         }
                     }
                 }

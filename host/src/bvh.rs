@@ -43,14 +43,28 @@ impl Bvh {
     /// infinite `t_max` aside), hits nothing.
     #[must_use]
     pub fn closest_hit(&self, ray: &Ray) -> Hit {
-        self.closest_hit_by(ray, self.scene_exponent, NO_PRIMITIVE, None)
+        let prepared = PreparedRay::new(ray, self.scene_exponent);
+        if let Some(coded) = &self.coded {
+            let hit = self.trace_coded(coded, prepared, ClosestOrAny::closest(prepared.t_max));
+            return prepared.restore(hit);
+        }
+        let mut collector = ClosestHit::new(prepared.t_max);
+        self.trace_plain(&prepared, &mut collector);
+        prepared.restore(collector.hit)
     }
 
     /// Whether the ray meets anything; stops at the first triangle found.
     #[doc(alias = "occluded")]
     #[must_use]
     pub fn any_hit(&self, ray: &Ray) -> bool {
-        self.any_hit_by(ray, self.scene_exponent, NO_PRIMITIVE, None)
+        let prepared = PreparedRay::new(ray, self.scene_exponent);
+        if let Some(coded) = &self.coded {
+            let collector = ClosestOrAny::any(prepared.t_max);
+            return self.trace_coded(coded, prepared, collector).is_hit();
+        }
+        let mut collector = AnyHit::new(prepared.t_max);
+        self.trace_plain(&prepared, &mut collector);
+        collector.found
     }
 
     /// The K hits with the smallest `(t, primitive)`, in order; [`Hit::MISS`] fills what is left.
@@ -62,93 +76,48 @@ impl Bvh {
         };
         let prepared = PreparedRay::new(ray, self.scene_exponent);
         let mut collector = NearestHits::<K>::new(prepared.t_max);
+        let all = facing(None);
         let errand = Watched {
             ray: &prepared,
-            rule: facing(NO_PRIMITIVE, None),
+            rule: ButOne::new(&all, NO_PRIMITIVE),
             collector: &mut collector,
         };
         with_stacks(|stacks| coded.walk(&self.triangles, errand, stacks));
         collector.hits.map(|hit| prepared.restore(hit))
     }
 
-    /// [`Self::closest_hit`] of a ray whose scene has this exponent, without a primitive, and where there is a target without
-    /// what faces away from it.
-    pub(crate) fn closest_hit_by(
-        &self,
-        ray: &Ray,
-        exponent: i32,
-        skip: u32,
-        target: Option<(Sides, Target)>,
-    ) -> Hit {
-        let prepared = PreparedRay::new(ray, exponent);
-        if let Some(coded) = &self.coded {
-            let all = facing(NO_PRIMITIVE, target);
-            let mut lane = Lane {
-                ray: prepared,
-                rule: ButOne::new(&all, skip),
-                collector: ClosestOrAny::closest(prepared.t_max),
-            };
-            with_stacks(|stacks| coded.walk(&self.triangles, Alone(&mut lane), stacks));
-            return prepared.restore(lane.collector.closest.hit);
-        }
-        let mut collector = ClosestHit::new(prepared.t_max);
-        self.trace_plain(&prepared, skip, target, &mut collector);
-        prepared.restore(collector.hit)
-    }
-
-    /// [`Self::any_hit`], as [`Self::closest_hit_by`].
-    pub(crate) fn any_hit_by(
-        &self,
-        ray: &Ray,
-        exponent: i32,
-        skip: u32,
-        target: Option<(Sides, Target)>,
-    ) -> bool {
-        let prepared = PreparedRay::new(ray, exponent);
-        if let Some(coded) = &self.coded {
-            let all = facing(NO_PRIMITIVE, target);
-            let mut lane = Lane {
-                ray: prepared,
-                rule: ButOne::new(&all, skip),
-                collector: ClosestOrAny::any(prepared.t_max),
-            };
-            with_stacks(|stacks| coded.walk(&self.triangles, Alone(&mut lane), stacks));
-            return lane.collector.closest.hit.is_hit();
-        }
-        let mut collector = AnyHit::new(prepared.t_max);
-        self.trace_plain(&prepared, skip, target, &mut collector);
-        collector.found
+    fn trace_coded(&self, coded: &Coded, ray: PreparedRay, collector: ClosestOrAny) -> Hit {
+        let all = facing(None);
+        let mut lane = Lane {
+            ray,
+            rule: ButOne::new(&all, NO_PRIMITIVE),
+            collector,
+        };
+        with_stacks(|stacks| coded.walk(&self.triangles, Alone(&mut lane), stacks));
+        lane.collector.closest.hit
     }
 
     #[inline(always)]
-    fn trace_plain<C: Collector>(
-        &self,
-        ray: &PreparedRay,
-        skip: u32,
-        target: Option<(Sides, Target)>,
-        collector: &mut C,
-    ) {
+    fn trace_plain<C: Collector>(&self, ray: &PreparedRay, collector: &mut C) {
         let (nodes, triangles) = (self.node_source(), self.triangle_source());
         with_stacks(|Stacks { plain, .. }| {
-            let stack = &mut plain.alone;
-            if target.is_none() {
-                traverse_with(stack, &nodes, &triangles, ray, &Except(skip), collector);
-            } else {
-                let rule = facing(skip, target);
-                traverse_with(stack, &nodes, &triangles, ray, &rule, collector);
-            }
+            let (stack, rule) = (&mut plain.alone, &Except::NOTHING);
+            traverse_with(stack, &nodes, &triangles, ray, rule, collector);
         });
     }
 
     /// Traces one ray with whatever is asked, and counts what is touched on the way. Slower than the other questions.
     pub fn collect(&self, ray: &PreparedRay, skip: u32, collector: &mut dyn Collector) {
         if let Some(coded) = &self.coded {
+            let all = facing(None);
             let errand = Watched {
                 ray,
-                rule: facing(skip, None),
+                rule: ButOne::new(&all, skip),
                 collector,
             };
-            with_stacks(|stacks| coded.walk(&self.triangles, errand, stacks));
+            // The collector may ask this thread's stacks.
+            let mut stacks = Stacks::NEW;
+            coded.walk(&self.triangles, errand, &mut stacks);
         } else {
             let (nodes, triangles) = (self.node_source(), self.triangle_source());
             traverse(
@@ -303,15 +272,15 @@ impl Bvh {
     }
 }
 
-/// The rule of all trees in codecs: where there is no target, no triangle faces away.
-pub(crate) fn facing<'a>(skip: u32, target: Option<(Sides<'a>, Target)>) -> Facing<'a> {
+/// The rule for many rays, and of all trees in codecs: where there is no target, no triangle faces away.
+pub(crate) fn facing(target: Option<(Sides, Target)>) -> Facing {
     let everything = Sides {
         components: &[],
         sides: &[],
     };
     let (sides, target) = target.unwrap_or((everything, Target::position([0.0; 3])));
     Facing {
-        skip,
+        skip: NO_PRIMITIVE,
         sides,
         target,
     }

@@ -2,7 +2,6 @@
 
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use crate::cpu::packets::{AskedPacket, ButOne, GROUPS};
-use slimbvh_core::classify::Facing;
 use slimbvh_core::encode::{
     LatticeCursor, LatticeNodes, LatticeTriangles, PrintedBox, PrintedCursor, PrintedNode,
     PrintedNodes, PrintedTriangle, PrintedTriangles, RootWords,
@@ -223,7 +222,7 @@ impl Errand for Together<'_, '_> {
 /// Whatever else may be asked, at the price of a call for each node.
 pub struct Watched<'a, 'b> {
     pub ray: &'a PreparedRay,
-    pub rule: Facing<'b>,
+    pub rule: ButOne<'b>,
     pub collector: &'a mut dyn Collector,
 }
 

@@ -1,6 +1,6 @@
 //! slimbvh.
 
-use super::{Answer, Bytes, Demand, Question, Tracer, Visits};
+use super::{Answer, Bytes, Demand, Question, Tracer, Visits, answer_rows};
 use crate::rays::BLOCK;
 use anyhow::Result;
 use rayon::prelude::*;
@@ -69,28 +69,26 @@ impl Tracer for Slim<'_> {
     }
 
     fn closest_hits(&self, rays: &[Ray], answers: &mut [Answer]) {
-        let blocks = answers.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
-        blocks.for_each_init(
-            || [Hit::MISS; BLOCK],
-            |hits, (answers, rays)| {
-                self.bvh.closest_hits_of_block(rays, hits);
-                for (answer, hit) in answers.iter_mut().zip(hits) {
-                    *answer = if hit.is_hit() {
-                        Answer {
-                            t: hit.t,
-                            primitive: hit.primitive,
-                        }
-                    } else {
-                        Answer::MISS
-                    };
-                }
-            },
-        );
+        answer_rows(rays, answers, |rays, answers| {
+            let mut hits = [Hit::MISS; BLOCK];
+            self.bvh.closest_hits_of_block(rays, &mut hits);
+            for (answer, hit) in answers.iter_mut().zip(hits) {
+                *answer = if hit.is_hit() {
+                    Answer {
+                        t: hit.t,
+                        primitive: hit.primitive,
+                    }
+                } else {
+                    Answer::MISS
+                };
+            }
+        });
     }
 
     fn any_hits(&self, rays: &[Ray], answers: &mut [bool]) {
-        let blocks = answers.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
-        blocks.for_each(|(answers, rays)| self.bvh.any_hits_of_block(rays, answers));
+        answer_rows(rays, answers, |rays, answers| {
+            self.bvh.any_hits_of_block(rays, answers);
+        });
     }
 
     fn bytes(&self) -> Bytes {

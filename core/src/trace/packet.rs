@@ -3,19 +3,20 @@
 //! Each ray's answer is the one that it would find alone, bit for bit: boxes and triangles are tested by the same arithmetic
 //! ([`crate::lanes`]), and no answer depends on which other nodes are opened.
 
-use super::query::{Opened, Query, Single};
+use super::query::{Opened, Query, Single, test_one};
 use super::stack::Enter;
 use super::{Collector, Cursor, NodeSource, Place, Rule, Stack, TriangleSource, walk};
 use crate::lanes::{Lanes, Wide};
 use crate::ray::PreparedRay;
 use crate::slab::{BoxSpan, PlanePair, crossings};
-use crate::watertight::{intersect, passes_inside};
+use crate::watertight::passes_inside;
 use glam::Vec4;
 
-/// With no more rays than this below a node, each goes on alone. Measured against 2, 3 and 4: ARCHITECTURE.md.
+/// With no more rays than this below a node, each goes on alone. Measured against 2: ARCHITECTURE.md.
 const FEW: u32 = 1;
 
-/// Rays whose origins or directions are farther from the first one's are traced alone: in the scene's size, or in the direction's.
+/// Rays whose origins or directions are farther from the first one's, on any axis, walk alone. In the scene's magnitude, whose largest
+/// coordinate is at most 1, and in that of directions, whose largest component is at most 2.
 const APART: f32 = 1.0 / 16.0;
 
 /// A ray of a packet.
@@ -73,7 +74,6 @@ pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
     R: Rule,
     C: Collector,
 {
-    const { assert!(GROUPS <= 8, "a mask has 32 bits") };
     let mut first = None;
     for lane in packet.as_flattened() {
         if first.is_none() && lane.ray.t_min <= lane.ray.t_max {
@@ -129,8 +129,11 @@ pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
         return;
     }
     let limit = Wide::from_lanes(|group, i| packet[group][i].limit());
+    let mut steps = nodes.step_limit();
     let mut query = Together {
         packet,
+        // In a sound tree each passes every node once at most.
+        steps_alone: steps.saturating_mul(4 * GROUPS as u32),
         alone: &mut stacks.alone,
         axes: first.axes,
         origin,
@@ -148,6 +151,7 @@ pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
         triangles,
         nodes.root(first.axes),
         &mut query,
+        &mut steps,
     );
 }
 
@@ -170,7 +174,8 @@ pub fn trace_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Colle
     triangles: &T,
     lane: &mut Lane<R, C>,
 ) {
-    go_alone(stack, nodes, triangles, nodes.root(lane.ray.axes), lane);
+    let root = nodes.root(lane.ray.axes);
+    go_alone(stack, nodes, triangles, root, lane, &mut nodes.step_limit());
 }
 
 /// Walks the tree below a node with one ray.
@@ -181,26 +186,30 @@ fn go_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
     triangles: &T,
     root: N::Cursor,
     lane: &mut Lane<R, C>,
+    steps: &mut u32,
 ) {
     let mut query = Single {
         ray: &lane.ray,
         rule: &lane.rule,
         collector: &mut lane.collector,
     };
-    walk(stack, nodes, triangles, root, &mut query);
+    walk(stack, nodes, triangles, root, &mut query, steps);
 }
 
-/// Tests a triangle with one ray.
+/// [`test_one`] for a lane, never part of the walk.
 #[inline(never)]
-fn test_alone<R: Rule, C: Collector>(
+fn test_lane<R: Rule, C: Collector>(
     lane: &mut Lane<R, C>,
     corners: &[[f32; 3]; 3],
     primitive: u32,
 ) {
-    let hit = intersect(&lane.ray, *corners, lane.limit(), primitive);
-    if hit.is_hit() && lane.rule.counts(primitive, corners, lane.ray.axes) {
-        lane.collector.offer(hit);
-    }
+    test_one(
+        &lane.ray,
+        &lane.rule,
+        &mut lane.collector,
+        corners,
+        primitive,
+    );
 }
 
 /// Where rays of a packet enter a node, and which of them do.
@@ -222,6 +231,8 @@ impl<const GROUPS: usize> Enter for Entries<GROUPS> {
 struct Together<'a, R, C, U: Cursor, const GROUPS: usize> {
     packet: &'a mut Packet<R, C, GROUPS>,
     alone: &'a mut Stack<U>,
+    /// What is left of the steps of all rays that go on alone.
+    steps_alone: u32,
     axes: [u32; 3],
     origin: [Wide<GROUPS>; 3],
     direction: [Wide<GROUPS>; 3],
@@ -250,19 +261,23 @@ impl<R, C: Collector, U: Cursor, const GROUPS: usize> Together<'_, R, C, U, GROU
         ];
         let crossing = crossings(planes, self.plane_origins, self.inverse);
         let enter = crossing.enter.low.max(self.t_min);
-        let who = self.members & enter.at_most(crossing.padded_exit.low.min(self.limit));
+        let who = self.who & enter.at_most(crossing.padded_exit.low.min(self.limit));
         Entries { enter, who }
     }
 
     /// Calls for each of these rays.
     #[inline(always)]
-    fn for_each(&mut self, who: u32, mut call: impl FnMut(&mut Lane<R, C>, &mut Stack<U>)) {
+    fn for_each(
+        &mut self,
+        who: u32,
+        mut call: impl FnMut(&mut Lane<R, C>, &mut Stack<U>, &mut u32),
+    ) {
         let mut left = who;
         for (group, limit) in self.packet.iter_mut().zip(&mut self.limit.0) {
             if left & 15 != 0 {
                 for (i, lane) in group.iter_mut().enumerate() {
                     if left >> i & 1 != 0 {
-                        call(lane, self.alone);
+                        call(lane, self.alone, &mut self.steps_alone);
                     }
                 }
                 let [a, b, c, d] = group;
@@ -288,11 +303,9 @@ where
     }
 
     #[inline(always)]
-    fn begin(&self) -> Entries<GROUPS> {
-        Entries {
-            enter: self.t_min,
-            who: self.members,
-        }
+    fn begin(&mut self) -> bool {
+        self.who = self.members;
+        self.who != 0
     }
 
     #[inline(always)]
@@ -306,7 +319,7 @@ where
         let [p, q, r] = planes;
         let left = self.meet([p.x, q.x, r.x], [p.z, q.z, r.z]);
         let right = self.meet([p.y, q.y, r.y], [p.w, q.w, r.w]);
-        // The first ray that meets both decides.
+        // The first ray that meets both decides; where none does, left goes first.
         let both = left.who & right.who;
         let first = both & both.wrapping_neg();
         Opened {
@@ -331,7 +344,7 @@ where
         let who = self.who & passes_inside(self.origin, self.direction, spread);
         if who != 0 {
             let primitive = triangles.primitive(place);
-            self.for_each(who, |lane, _| test_alone(lane, &corners, primitive));
+            self.for_each(who, |lane, _, _| test_lane(lane, &corners, primitive));
         }
     }
 
@@ -345,8 +358,8 @@ where
         let is_few = self.who.count_ones() <= FEW;
         if is_few {
             let who = self.who;
-            self.for_each(who, |lane, stack| {
-                go_alone(stack, nodes, triangles, cursor, lane);
+            self.for_each(who, |lane, stack, steps| {
+                go_alone(stack, nodes, triangles, cursor, lane, steps);
             });
         }
         is_few

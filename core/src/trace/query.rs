@@ -14,8 +14,8 @@ pub(super) trait Query<N: NodeSource, T: TriangleSource<N::Frame>> {
     /// The order of their axes.
     fn axes(&self) -> [u32; 3];
 
-    /// Where they enter the root.
-    fn begin(&self) -> Self::Enter;
+    /// Whether any of them may hit anything.
+    fn begin(&mut self) -> bool;
 
     /// Whether any of them enters a node no later than its limit.
     fn is_due(&mut self, enter: Self::Enter) -> bool;
@@ -52,8 +52,8 @@ pub(super) struct Opened<E> {
 
 impl<E: Enter> Opened<E> {
     #[inline(always)]
-    pub fn enter_of(&self, is_left: bool) -> E {
-        if is_left {
+    pub fn near_enter(&self) -> E {
+        if self.left_first {
             self.enter_left
         } else {
             self.enter_right
@@ -61,13 +61,27 @@ impl<E: Enter> Opened<E> {
     }
 
     #[inline(always)]
-    pub fn near_enter(&self) -> E {
-        self.enter_of(self.left_first)
-    }
-
-    #[inline(always)]
     pub fn far_enter(&self) -> E {
-        self.enter_of(!self.left_first)
+        if self.left_first {
+            self.enter_right
+        } else {
+            self.enter_left
+        }
+    }
+}
+
+/// Tests a triangle with one ray.
+#[inline(always)]
+pub(super) fn test_one<R: Rule, C: Collector>(
+    ray: &PreparedRay,
+    rule: &R,
+    collector: &mut C,
+    corners: &[[f32; 3]; 3],
+    primitive: u32,
+) {
+    let hit = intersect(ray, *corners, collector.limit(), primitive);
+    if hit.is_hit() && rule.counts(primitive, corners, ray.axes) {
+        collector.offer(hit);
     }
 }
 
@@ -89,8 +103,8 @@ impl<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector> Query<N,
     }
 
     #[inline(always)]
-    fn begin(&self) -> f32 {
-        self.ray.t_min
+    fn begin(&mut self) -> bool {
+        self.ray.t_min <= self.ray.t_max
     }
 
     #[inline(always)]
@@ -116,10 +130,7 @@ impl<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector> Query<N,
         self.collector.count_triangle();
         let primitive = triangles.primitive(place);
         let corners = triangles.corners(place, self.ray.axes);
-        let hit = intersect(self.ray, corners, self.collector.limit(), primitive);
-        if hit.is_hit() && self.rule.counts(primitive, &corners, self.ray.axes) {
-            self.collector.offer(hit);
-        }
+        test_one(self.ray, self.rule, self.collector, &corners, primitive);
     }
 
     #[inline(always)]

@@ -48,13 +48,13 @@ pub enum Question {
     Any,
 }
 
-/// What all rays of a block have in common.
+/// What all rays have in common.
 #[derive(Clone, Copy, Debug)]
-pub struct Block<'a> {
+pub struct Asked<'a> {
     pub question: Question,
-    /// Of the scene that the rays are in.
+    /// Of the power of two that brings rays to the scene's magnitude: 0 where they are there.
     pub exponent: i32,
-    /// Where there is one, what faces away from it does not count.
+    /// Where there is one, what faces away from it does not count. In the scene's magnitude.
     pub target: Option<(Sides<'a>, Target)>,
 }
 
@@ -78,23 +78,23 @@ impl Bvh {
     /// [`Bvh::closest_hits`] on this thread, for callers who share rays out by themselves.
     ///
     /// # Panics
-    /// If there are less places for hits than rays.
+    /// If there are fewer places for hits than rays.
     pub fn closest_hits_of_block(&self, rays: &[Ray], hits: &mut [Hit]) {
-        let block = self.block(Question::Closest);
-        self.ask(&block, asked(rays), |i, hit| hits[i] = hit);
+        let all = self.asked(Question::Closest);
+        self.ask(&all, numbered(rays), |i, hit| hits[i] = hit);
     }
 
     /// [`Bvh::any_hits`] on this thread, as [`Bvh::closest_hits_of_block`].
     ///
     /// # Panics
-    /// If there are less places for answers than rays.
+    /// If there are fewer places for answers than rays.
     pub fn any_hits_of_block(&self, rays: &[Ray], found: &mut [bool]) {
-        let block = self.block(Question::Any);
-        self.ask(&block, asked(rays), |i, hit| found[i] = hit.is_hit());
+        let all = self.asked(Question::Any);
+        self.ask(&all, numbered(rays), |i, hit| found[i] = hit.is_hit());
     }
 
-    fn block(&self, question: Question) -> Block<'static> {
-        Block {
+    fn asked(&self, question: Question) -> Asked<'static> {
+        Asked {
             question,
             exponent: self.scene_exponent(),
             target: None,
@@ -104,15 +104,15 @@ impl Bvh {
     /// Asks for rays, each with a number and a primitive that does not count, and tells each answer with its ray's number.
     pub(crate) fn ask(
         &self,
-        block: &Block,
+        all: &Asked,
         rays: impl Iterator<Item = (usize, Ray, u32)>,
         mut answer: impl FnMut(usize, Hit),
     ) {
-        let all = facing(NO_PRIMITIVE, block.target);
+        let rule = facing(all.target);
         let nothing = PreparedRay::new(&Ray::NOTHING, 0);
         let nothing = Lane {
             ray: nothing,
-            rule: ButOne::new(&all, NO_PRIMITIVE),
+            rule: ButOne::new(&rule, NO_PRIMITIVE),
             collector: ClosestOrAny::closest(nothing.t_max),
         };
         let mut packet = [[nothing; 4]; GROUPS];
@@ -122,9 +122,9 @@ impl Bvh {
             let mut count = 0;
             for (to, number) in packet.as_flattened_mut().iter_mut().zip(&mut numbers) {
                 if let Some((own, ray, skip)) = rays.next() {
-                    to.ray = PreparedRay::new(&ray, block.exponent);
+                    to.ray = PreparedRay::new(&ray, all.exponent);
                     to.rule.one = Except(skip);
-                    to.collector = match block.question {
+                    to.collector = match all.question {
                         Question::Closest => ClosestOrAny::closest(to.ray.t_max),
                         Question::Any => ClosestOrAny::any(to.ray.t_max),
                     };
@@ -152,7 +152,7 @@ impl Bvh {
     }
 }
 
-fn asked(rays: &[Ray]) -> impl Iterator<Item = (usize, Ray, u32)> {
-    let numbered = rays.iter().enumerate();
-    numbered.map(|(i, ray)| (i, *ray, NO_PRIMITIVE))
+fn numbered(rays: &[Ray]) -> impl Iterator<Item = (usize, Ray, u32)> {
+    let rays = rays.iter().enumerate();
+    rays.map(|(i, ray)| (i, *ray, NO_PRIMITIVE))
 }

@@ -279,8 +279,8 @@ impl Renderer {
             .paths
             .par_chunks_mut(BLOCK)
             .zip(self.hits.par_chunks(BLOCK));
-        blocks.for_each(|(paths, hits)| {
-            let mut shadows = Vec::with_capacity(BLOCK);
+        blocks.for_each_init(Vec::new, |shadows, (paths, hits)| {
+            shadows.clear();
             for (i, (path, hit)) in paths.iter().zip(hits).enumerate() {
                 if path.is_alive() && hit.is_hit() {
                     let shadow = stage.shadow(path, hit, (light, bounce));

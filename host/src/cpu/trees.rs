@@ -1,7 +1,7 @@
 //! Which hierarchy rays of each kind are traced through.
 
 use crate::Bvh;
-use crate::cpu::packets::{Block, Question};
+use crate::cpu::packets::{Asked, Question};
 use slimbvh_core::classify::Sides;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
@@ -75,12 +75,12 @@ impl<'a> Tree<'a> {
         rays: impl Iterator<Item = (usize, Ray, u32)>,
         answer: impl FnMut(usize, Hit),
     ) {
-        let block = Block {
+        let all = Asked {
             question,
             exponent: 0,
             target: self.rule,
         };
-        self.bvh.ask(&block, rays, answer);
+        self.bvh.ask(&all, rays, answer);
     }
 }
 

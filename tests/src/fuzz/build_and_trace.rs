@@ -74,6 +74,13 @@ pub fn build_and_trace(data: &[u8]) {
     coded.closest_hits_of_block(&rays, &mut hits);
     let alone = rays.iter().map(|ray| coded.closest_hit(ray));
     assert_eq!(same_bits(&hits, &alone.collect::<Vec<_>>()), Ok(()));
+    let mut found = vec![false; rays.len()];
+    coded.any_hits_of_block(&rays, &mut found);
+    assert!(
+        found
+            .iter()
+            .eq(hits.iter().map(Hit::is_hit).collect::<Vec<_>>().iter())
+    );
     assert_eq!(coded.validate_over(&mesh), Ok(()));
 }
 

@@ -1,11 +1,18 @@
 //! Rays that walk together answer as each does alone, bit for bit.
 
+use bytemuck::Zeroable;
 use glam::Vec3;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use slimbvh::generate::{icosphere, terrain};
-use slimbvh::{BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, NodeCodec, TreeKind};
-use slimbvh_core::{Hit, Ray};
+use slimbvh::{BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind};
+use slimbvh_core::classify::Except;
+use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
+use slimbvh_core::trace::{
+    ClosestHit, Collector, Counted, Lane, LeafTriangles, NodeSource, PacketStacks, PlainNodes,
+    trace_alone, trace_packet,
+};
+use slimbvh_core::{Hit, Node, NodeRef, Ray};
 use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::random::Random;
 use slimbvh_tests::rays::{RayRecipe, any_ray};
@@ -105,6 +112,11 @@ fn codecs() -> Vec<BuildConfig> {
         tree: TreeKind::Clustered,
         ..BuildConfig::default()
     });
+    all.push(BuildConfig {
+        nodes: NodeCodec::Printed,
+        mesh: MeshCodec::Leaf10,
+        ..BuildConfig::default()
+    });
     all
 }
 
@@ -116,6 +128,18 @@ proptest! {
         let rays: Vec<Ray> = bundles.iter().flat_map(|bundle| bundle.cook(&mesh)).collect();
         for config in codecs() {
             let result = check(&build_as(&mesh, config), &rays);
+            prop_assert!(result.is_ok(), "{:?}", result);
+        }
+        let mut snapped = mesh;
+        let step_exponent = snapped.finest_step();
+        snapped.snap(step_exponent);
+        for bits in [LatticeBits::Q10, LatticeBits::Q21] {
+            let config = BuildConfig {
+                nodes: NodeCodec::Lattice(bits),
+                mesh: MeshCodec::Lattice { step_exponent },
+                ..BuildConfig::default()
+            };
+            let result = check(&build_as(&snapped, config), &rays);
             prop_assert!(result.is_ok(), "{:?}", result);
         }
     }
@@ -144,6 +168,81 @@ fn rays_that_went_alone_do_not_walk_along() {
         let rays: Vec<Ray> = (0..512).map(ray).collect();
         assert_eq!(check(&bvh, &rays), Ok(()), "{name}");
     }
+}
+
+/// Nothing is locked while a collector of the caller's is asked: what lies behind glass, it may find out by another ray.
+#[test]
+fn a_collector_may_ask_the_same_tree() {
+    struct Asking<'a>(&'a Bvh, usize);
+    impl Collector for Asking<'_> {
+        fn limit(&self) -> f32 {
+            f32::MAX
+        }
+
+        fn offer(&mut self, _: Hit) {
+            self.1 += usize::from(self.0.any_hit(&Ray::new([0.0, 0.1, 3.0], [0.0, 0.0, -1.0])));
+        }
+    }
+    let mesh = icosphere(Vec3::ZERO, 1.0, 2);
+    for config in codecs() {
+        let bvh = build_as(&mesh, config);
+        let ask = |ray: &Ray| {
+            let mut asking = Asking(&bvh, 0);
+            let ray = PreparedRay::new(ray, bvh.scene_exponent());
+            bvh.collect(&ray, NO_PRIMITIVE, &mut asking);
+            asking.1
+        };
+        assert_eq!(ask(&Ray::new([0.0, 0.1, 3.0], [0.0, 0.0, -1.0])), 2);
+        // Whatever limit a collector tells: a ray that hits nothing offers nothing.
+        assert_eq!(
+            ask(&Ray {
+                t_max: -1.0,
+                ..Ray::new([0.0, 0.1, 3.0], [0.0, 0.0, -1.0])
+            }),
+            0
+        );
+        assert_eq!(
+            ask(&Ray::new([2f32.powi(50), 0.1, 3.0], [0.0, 0.0, -1.0])),
+            0
+        );
+    }
+}
+
+/// Nodes that lead back to themselves end a walk, of one ray and of several, after as many steps as there could be.
+#[test]
+fn a_tree_with_circles_is_left() {
+    let whole = [-1.0, -1.0, 1.0, 1.0];
+    let node = |left: u32, right: u32| Node {
+        planes: [whole; 3],
+        left: NodeRef::inner(left),
+        right: NodeRef::inner(right),
+        ..Node::zeroed()
+    };
+    // The first ray alone meets the second node, which only leads to itself.
+    let mut first = node(1, 0);
+    first.planes[0] = [-1.0, -1.0, -0.5, 1.0];
+    let mut nodes = vec![node(1, 1); 3000];
+    nodes[0] = first;
+    let sources = (PlainNodes(&nodes), LeafTriangles(&[]));
+    let lane = |x: f32| {
+        let ray = PreparedRay::new(&Ray::new([x, 0.0, 0.9], [0.0, 0.0, -1.0]), 0);
+        Lane {
+            ray,
+            rule: Except::NOTHING,
+            collector: Counted::new(ClosestHit::new(ray.t_max)),
+        }
+    };
+    let mut alone = lane(-0.52);
+    let mut stacks: PacketStacks<NodeRef, 2> = PacketStacks::EMPTY;
+    trace_alone(&mut stacks.alone, &sources.0, &sources.1, &mut alone);
+    let limit = sources.0.step_limit();
+    assert_eq!(alone.collector.node_count, limit);
+    let mut packet = [[lane(-0.49); 4]; 2];
+    packet[0][0] = lane(-0.52);
+    trace_packet(&mut stacks, &sources.0, &sources.1, &mut packet);
+    let lanes = packet.as_flattened().iter();
+    let steps: u32 = lanes.map(|lane| lane.collector.node_count).sum();
+    assert!(limit <= steps && steps <= 8 * limit, "{steps}");
 }
 
 /// The check is checked: hits of the neighbour's ray are found out.

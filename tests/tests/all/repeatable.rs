@@ -101,6 +101,7 @@ fn batches_answer_as_single_rays_do() {
     let bvh = build(&soup(3000, 2), CodeBits::Bits30);
     let mut random = slimbvh_tests::random::Random::new(6);
     let mut hits = vec![slimbvh_core::Hit::MISS; 7];
+    let mut found = vec![true; 3];
     for count in [0, 1, 511, 512, 513, 5000] {
         let rays: Vec<_> = (0..count)
             .map(|_| slimbvh_core::Ray::new(random.point().to_array(), random.point().to_array()))
@@ -110,6 +111,13 @@ fn batches_answer_as_single_rays_do() {
         assert_eq!(
             bytemuck::cast_slice::<_, u8>(&hits),
             bytemuck::cast_slice::<_, u8>(&expected)
+        );
+        bvh.any_hits(&rays, &mut found);
+        assert!(
+            expected
+                .iter()
+                .map(slimbvh_core::Hit::is_hit)
+                .eq(found.iter().copied())
         );
     }
 }
