@@ -192,7 +192,7 @@ fn a_collector_may_ask_the_same_tree() {
             bvh.collect(&ray, NO_PRIMITIVE, &mut asking);
             asking.1
         };
-        assert_eq!(ask(&Ray::new([0.0, 0.1, 3.0], [0.0, 0.0, -1.0])), 2);
+        assert!(ask(&Ray::new([0.0, 0.1, 3.0], [0.0, 0.0, -1.0])) >= 2);
         // Whatever limit a collector tells: a ray that hits nothing offers nothing.
         assert_eq!(
             ask(&Ray {
