@@ -170,6 +170,11 @@ fn rays_that_went_alone_do_not_walk_along() {
     }
 }
 
+/// Through the middle of a triangle on either side of a sphere, so that codecs that move vertices change nothing.
+fn across() -> Ray {
+    Ray::new([0.05, 0.13, 3.0], [0.0, 0.0, -1.0])
+}
+
 /// Nothing is locked while a collector of the caller's is asked: what lies behind glass, it may find out by another ray.
 #[test]
 fn a_collector_may_ask_the_same_tree() {
@@ -180,7 +185,7 @@ fn a_collector_may_ask_the_same_tree() {
         }
 
         fn offer(&mut self, _: Hit) {
-            self.1 += usize::from(self.0.any_hit(&Ray::new([0.0, 0.1, 3.0], [0.0, 0.0, -1.0])));
+            self.1 += usize::from(self.0.any_hit(&across()));
         }
     }
     let mesh = icosphere(Vec3::ZERO, 1.0, 2);
@@ -192,17 +197,20 @@ fn a_collector_may_ask_the_same_tree() {
             bvh.collect(&ray, NO_PRIMITIVE, &mut asking);
             asking.1
         };
-        assert!(ask(&Ray::new([0.0, 0.1, 3.0], [0.0, 0.0, -1.0])) >= 2);
+        assert!(ask(&across()) >= 2);
         // Whatever limit a collector tells: a ray that hits nothing offers nothing.
         assert_eq!(
             ask(&Ray {
                 t_max: -1.0,
-                ..Ray::new([0.0, 0.1, 3.0], [0.0, 0.0, -1.0])
+                ..across()
             }),
             0
         );
         assert_eq!(
-            ask(&Ray::new([2f32.powi(50), 0.1, 3.0], [0.0, 0.0, -1.0])),
+            ask(&Ray {
+                origin: [2f32.powi(50), 0.1, 3.0],
+                ..across()
+            }),
             0
         );
     }
