@@ -1,4 +1,5 @@
-//! Any mesh that the door lets in, any ray at all, any codec and kind of tree: the tree answers like brute force, bit for bit, rays together as each alone.
+//! Any mesh that the door lets in, any ray at all, any codec and kind of tree: the tree answers like brute force, bit for
+//! bit, and rays together as each alone.
 
 use super::input::{any, drawn};
 use crate::oracle::brute::{Answers, Parts};
@@ -76,11 +77,7 @@ pub fn build_and_trace(data: &[u8]) {
     assert_eq!(same_bits(&hits, &alone.collect::<Vec<_>>()), Ok(()));
     let mut found = vec![false; rays.len()];
     coded.any_hits_of_block(&rays, &mut found);
-    assert!(
-        found
-            .iter()
-            .eq(hits.iter().map(Hit::is_hit).collect::<Vec<_>>().iter())
-    );
+    assert!(hits.iter().map(Hit::is_hit).eq(found));
     assert_eq!(coded.validate_over(&mesh), Ok(()));
 }
 
