@@ -1,15 +1,12 @@
 //! Numbers of one ray, or of several at once: the same arithmetic either way.
 
 use core::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
-use glam::Vec4;
+use glam::{BVec4A, Vec4};
 
 /// A number for each lane: `f32` for one, [`Wide`] for several.
 pub trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     /// A yes or no for each lane.
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask>;
-
-    /// The same in all lanes.
-    fn splat(x: f32) -> Self;
 
     /// Where it is smaller or equal.
     fn at_most(self, other: Self) -> Self::Mask;
@@ -22,11 +19,6 @@ impl Lanes for f32 {
     type Mask = bool;
 
     #[inline(always)]
-    fn splat(x: f32) -> Self {
-        x
-    }
-
-    #[inline(always)]
     fn at_most(self, other: Self) -> bool {
         self <= other
     }
@@ -37,61 +29,50 @@ impl Lanes for f32 {
     }
 }
 
-/// Four numbers a group, in at most eight groups. Masks hold a bit a lane, the first lane lowest.
-#[derive(Clone, Copy, Debug)]
-pub struct Wide<const GROUPS: usize>(pub [Vec4; GROUPS]);
-
-impl<const GROUPS: usize> Wide<GROUPS> {
+/// Numbers of several rays, 32 at most. Masks hold a bit a lane, the first lane lowest.
+///
+/// Each lane computes what `f32` does, to the bit. [`Eight`] does so everywhere; hosts have types of their own where a
+/// processor has wider registers.
+pub trait Wide: Lanes<Mask = u32> + Neg<Output = Self> {
     /// Zero in all lanes.
-    pub const ZERO: Self = Self([Vec4::ZERO; GROUPS]);
+    const ZERO: Self;
 
-    /// Of each lane's number.
-    #[inline(always)]
-    #[must_use]
-    pub fn from_lanes(lane: impl Fn(usize, usize) -> f32) -> Self {
-        let mut wide = Self::ZERO;
-        for group in 0..GROUPS {
-            let lane = |i| lane(group, i);
-            wide.0[group] = Vec4::new(lane(0), lane(1), lane(2), lane(3));
-        }
-        wide
-    }
+    /// The same in all lanes.
+    fn splat(x: f32) -> Self;
 
     /// The smaller in each lane.
-    #[inline(always)]
     #[must_use]
-    pub fn min(self, other: Self) -> Self {
-        self.each(other, Vec4::min)
-    }
+    fn min(self, other: Self) -> Self;
 
     /// The larger in each lane.
-    #[inline(always)]
     #[must_use]
-    pub fn max(self, other: Self) -> Self {
-        self.each(other, Vec4::max)
-    }
+    fn max(self, other: Self) -> Self;
+}
 
+/// Eight numbers, in two registers of four.
+#[derive(Clone, Copy, Debug)]
+pub struct Eight(Vec4, Vec4);
+
+impl Eight {
     #[inline(always)]
     fn each(self, other: Self, of: impl Fn(Vec4, Vec4) -> Vec4) -> Self {
-        let mut wide = self;
-        for group in 0..GROUPS {
-            wide.0[group] = of(self.0[group], other.0[group]);
-        }
-        wide
+        Self(of(self.0, other.0), of(self.1, other.1))
     }
 
     #[inline(always)]
-    fn mask(self, other: Self, of: impl Fn(Vec4, Vec4) -> u32) -> u32 {
-        const { assert!(GROUPS <= 8, "a mask has 32 bits") };
-        let mut mask = 0;
-        for group in 0..GROUPS {
-            mask |= of(self.0[group], other.0[group]) << (4 * group);
-        }
-        mask
+    fn mask(self, other: Self, of: impl Fn(Vec4, Vec4) -> BVec4A) -> u32 {
+        of(self.0, other.0).bitmask() | of(self.1, other.1).bitmask() << 4
     }
 }
 
-impl<const GROUPS: usize> Add for Wide<GROUPS> {
+impl From<[f32; 8]> for Eight {
+    #[inline(always)]
+    fn from([a, b, c, d, e, f, g, h]: [f32; 8]) -> Self {
+        Self(Vec4::new(a, b, c, d), Vec4::new(e, f, g, h))
+    }
+}
+
+impl Add for Eight {
     type Output = Self;
 
     #[inline(always)]
@@ -100,7 +81,7 @@ impl<const GROUPS: usize> Add for Wide<GROUPS> {
     }
 }
 
-impl<const GROUPS: usize> Sub for Wide<GROUPS> {
+impl Sub for Eight {
     type Output = Self;
 
     #[inline(always)]
@@ -109,7 +90,7 @@ impl<const GROUPS: usize> Sub for Wide<GROUPS> {
     }
 }
 
-impl<const GROUPS: usize> Mul for Wide<GROUPS> {
+impl Mul for Eight {
     type Output = Self;
 
     #[inline(always)]
@@ -118,31 +99,45 @@ impl<const GROUPS: usize> Mul for Wide<GROUPS> {
     }
 }
 
-impl<const GROUPS: usize> Neg for Wide<GROUPS> {
+impl Neg for Eight {
     type Output = Self;
 
     #[inline(always)]
     fn neg(self) -> Self {
-        self.each(self, |x, _| -x)
+        Self(-self.0, -self.1)
     }
 }
 
-impl<const GROUPS: usize> Lanes for Wide<GROUPS> {
+impl Lanes for Eight {
     type Mask = u32;
 
     #[inline(always)]
-    fn splat(x: f32) -> Self {
-        Self([Vec4::splat(x); GROUPS])
-    }
-
-    #[inline(always)]
     fn at_most(self, other: Self) -> u32 {
-        self.mask(other, |a, b| a.cmple(b).bitmask())
+        self.mask(other, Vec4::cmple)
     }
 
     #[inline(always)]
     fn at_least(self, other: Self) -> u32 {
-        self.mask(other, |a, b| a.cmpge(b).bitmask())
+        self.mask(other, Vec4::cmpge)
+    }
+}
+
+impl Wide for Eight {
+    const ZERO: Self = Self(Vec4::ZERO, Vec4::ZERO);
+
+    #[inline(always)]
+    fn splat(x: f32) -> Self {
+        Self(Vec4::splat(x), Vec4::splat(x))
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.each(other, Vec4::min)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.each(other, Vec4::max)
     }
 }
 
@@ -168,15 +163,11 @@ mod tests {
         ]
     }
 
-    fn wide(numbers: &[f32; 8]) -> Wide<2> {
-        Wide::from_lanes(|group, i| numbers[4 * group + i])
-    }
-
     proptest! {
         #[test]
         fn each_lane_computes_as_one_number(a in proptest::array::uniform8(number()), b in proptest::array::uniform8(number())) {
-            let (x, y) = (wide(&a), wide(&b));
-            let lane = |wide: Wide<2>, i: usize| wide.0[i / 4].to_array()[i % 4];
+            let (x, y) = (Eight::from(a), Eight::from(b));
+            let lane = |wide: Eight, i: usize| [wide.0, wide.1][i / 4][i % 4];
             for i in 0..8 {
                 let (a, b) = (a[i], b[i]);
                 for (found, expected) in [(x + y, a + b), (x - y, a - b), (x * y, a * b), (-x, -a)] {
@@ -185,7 +176,7 @@ mod tests {
                 }
                 prop_assert_eq!(lane(x.min(y), i), min(a, b));
                 prop_assert_eq!(lane(x.max(y), i), max(a, b));
-                prop_assert_eq!(lane(Wide::splat(a), i), a);
+                prop_assert_eq!(lane(Eight::splat(a), i), a);
                 prop_assert_eq!(x.at_most(y) >> i & 1 == 1, a.at_most(b));
                 prop_assert_eq!(x.at_least(y) >> i & 1 == 1, a.at_least(b));
             }

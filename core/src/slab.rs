@@ -12,7 +12,7 @@
 //! that pass an edge of a box much longer than their way to it.
 
 use crate::float::gamma;
-use crate::lanes::{Lanes, Wide};
+use crate::lanes::Wide;
 use crate::ray::PreparedRay;
 use core::ops::{Add, Neg, Sub};
 use glam::{Vec4, Vec4Swizzles};
@@ -75,16 +75,16 @@ impl Planes for PlanePair {
 
 /// A box's planes on one axis, or what is computed with them, for several rays.
 #[derive(Clone, Copy, Debug)]
-pub struct BoxSpan<const GROUPS: usize> {
+pub struct BoxSpan<W> {
     /// Of the plane at the smaller coordinate.
-    pub low: Wide<GROUPS>,
+    pub low: W,
     /// Of the plane at the larger coordinate.
-    pub high: Wide<GROUPS>,
+    pub high: W,
 }
 
-impl<const GROUPS: usize> BoxSpan<GROUPS> {
+impl<W: Wide> BoxSpan<W> {
     #[inline(always)]
-    fn each(self, of: impl Fn(Wide<GROUPS>) -> Wide<GROUPS>) -> Self {
+    fn each(self, of: impl Fn(W) -> W) -> Self {
         Self {
             low: of(self.low),
             high: of(self.high),
@@ -92,7 +92,7 @@ impl<const GROUPS: usize> BoxSpan<GROUPS> {
     }
 
     #[inline(always)]
-    fn both(self, other: Self, of: impl Fn(Wide<GROUPS>, Wide<GROUPS>) -> Wide<GROUPS>) -> Self {
+    fn both(self, other: Self, of: impl Fn(W, W) -> W) -> Self {
         Self {
             low: of(self.low, other.low),
             high: of(self.high, other.high),
@@ -100,54 +100,54 @@ impl<const GROUPS: usize> BoxSpan<GROUPS> {
     }
 }
 
-impl<const GROUPS: usize> Add for BoxSpan<GROUPS> {
+impl<W: Wide> Add for BoxSpan<W> {
     type Output = Self;
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        self.both(other, Wide::add)
+        self.both(other, W::add)
     }
 }
 
-impl<const GROUPS: usize> Sub for BoxSpan<GROUPS> {
+impl<W: Wide> Sub for BoxSpan<W> {
     type Output = Self;
 
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        self.both(other, Wide::sub)
+        self.both(other, W::sub)
     }
 }
 
-impl<const GROUPS: usize> Neg for BoxSpan<GROUPS> {
+impl<W: Wide> Neg for BoxSpan<W> {
     type Output = Self;
 
     #[inline(always)]
     fn neg(self) -> Self {
-        self.each(Wide::neg)
+        self.each(W::neg)
     }
 }
 
-impl<const GROUPS: usize> Planes for BoxSpan<GROUPS> {
-    type Factor = Wide<GROUPS>;
+impl<W: Wide> Planes for BoxSpan<W> {
+    type Factor = W;
 
     #[inline(always)]
-    fn times(self, factor: Wide<GROUPS>) -> Self {
+    fn times(self, factor: W) -> Self {
         self.each(|x| x * factor)
     }
 
     #[inline(always)]
     fn scaled(self, factor: f32) -> Self {
-        self.each(|x| x * Wide::splat(factor))
+        self.each(|x| x * W::splat(factor))
     }
 
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        self.both(other, Wide::min)
+        self.both(other, W::min)
     }
 
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        self.both(other, Wide::max)
+        self.both(other, W::max)
     }
 
     #[inline(always)]

@@ -14,7 +14,7 @@ mod stack;
 
 pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, NearestHits};
 #[cfg(not(target_arch = "spirv"))]
-pub use packet::{Lane, Packet, PacketStacks, trace_alone, trace_packet};
+pub use packet::{Lane, PacketStacks, trace_alone, trace_packet};
 pub use sources::{BruteForce, LeafTriangles, PlainNodes};
 pub use stack::{BoxColumns, Column, Cursor, STACK_SIZE, Stack};
 

@@ -1,7 +1,8 @@
 //! Nodes and triangles in codecs, and traversal of them.
 
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
-use crate::cpu::packets::{AskedPacket, ButOne, GROUPS};
+use crate::cpu::lanes::Numbers;
+use crate::cpu::packets::{AskedPacket, ButOne};
 use slimbvh_core::encode::{
     LatticeCursor, LatticeNodes, LatticeTriangles, PrintedBox, PrintedCursor, PrintedNode,
     PrintedNodes, PrintedTriangle, PrintedTriangles, RootWords,
@@ -183,7 +184,7 @@ pub trait Errand {
     /// Does it.
     fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
         self,
-        stacks: &mut PacketStacks<N::Cursor, GROUPS>,
+        stacks: &mut PacketStacks<N::Cursor, Numbers>,
         nodes: &N,
         triangles: &T,
     );
@@ -196,7 +197,7 @@ impl Errand for Alone<'_, '_> {
     #[inline(always)]
     fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
         self,
-        stacks: &mut PacketStacks<N::Cursor, GROUPS>,
+        stacks: &mut PacketStacks<N::Cursor, Numbers>,
         nodes: &N,
         triangles: &T,
     ) {
@@ -211,7 +212,7 @@ impl Errand for Together<'_, '_> {
     #[inline(always)]
     fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
         self,
-        stacks: &mut PacketStacks<N::Cursor, GROUPS>,
+        stacks: &mut PacketStacks<N::Cursor, Numbers>,
         nodes: &N,
         triangles: &T,
     ) {
@@ -230,7 +231,7 @@ impl Errand for Watched<'_, '_> {
     #[inline(always)]
     fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
         self,
-        stacks: &mut PacketStacks<N::Cursor, GROUPS>,
+        stacks: &mut PacketStacks<N::Cursor, Numbers>,
         nodes: &N,
         triangles: &T,
     ) {
@@ -278,9 +279,9 @@ fn lattice<const BITS: u32, const WORDS: usize>(
 
 /// Stacks for each kind of nodes.
 pub struct Stacks {
-    pub plain: PacketStacks<NodeRef, GROUPS>,
-    printed: PacketStacks<PrintedCursor, GROUPS>,
-    lattice: PacketStacks<LatticeCursor, GROUPS>,
+    pub plain: PacketStacks<NodeRef, Numbers>,
+    printed: PacketStacks<PrintedCursor, Numbers>,
+    lattice: PacketStacks<LatticeCursor, Numbers>,
 }
 
 impl Stacks {

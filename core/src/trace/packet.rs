@@ -6,11 +6,11 @@
 use super::query::{Opened, Query, Single, test_one};
 use super::stack::Enter;
 use super::{Collector, Cursor, NodeSource, Place, Rule, Stack, TriangleSource, walk};
-use crate::lanes::{Lanes, Wide};
+use crate::lanes::Wide;
 use crate::ray::PreparedRay;
 use crate::slab::{BoxSpan, PlanePair, crossings};
 use crate::watertight::passes_inside;
-use glam::Vec4;
+use core::array::from_fn;
 
 /// With no more rays than this below a node, each goes on alone. Measured against 2: ARCHITECTURE.md.
 const FEW: u32 = 1;
@@ -42,18 +42,23 @@ impl<R, C: Collector> Lane<R, C> {
     }
 }
 
-/// Four rays a group, in at most eight groups.
-pub type Packet<R, C, const GROUPS: usize> = [[Lane<R, C>; 4]; GROUPS];
+/// The limits of all lanes.
+#[inline(always)]
+fn limits<W: From<[f32; LANES]>, R, C: Collector, const LANES: usize>(
+    packet: &[Lane<R, C>; LANES],
+) -> W {
+    from_fn(|i| packet[i].limit()).into()
+}
 
 /// Memory for a packet, and for rays that leave it. It need not be cleared in between.
 #[derive(Clone, Copy)]
-pub struct PacketStacks<C: Cursor, const GROUPS: usize> {
-    together: Stack<C, Entries<GROUPS>>,
+pub struct PacketStacks<C: Cursor, W: Wide> {
+    together: Stack<C, Entries<W>>,
     /// For one ray.
     pub alone: Stack<C>,
 }
 
-impl<C: Cursor, const GROUPS: usize> PacketStacks<C, GROUPS> {
+impl<C: Cursor, W: Wide> PacketStacks<C, W> {
     /// Nothing waits.
     pub const EMPTY: Self = Self {
         together: Stack::EMPTY,
@@ -63,19 +68,21 @@ impl<C: Cursor, const GROUPS: usize> PacketStacks<C, GROUPS> {
 
 /// [`super::traverse_with`] of all rays of a packet: together, as far as the order of their axes is the same and while they pass the same nodes.
 #[inline(always)]
-pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
-    stacks: &mut PacketStacks<N::Cursor, GROUPS>,
+pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
+    stacks: &mut PacketStacks<N::Cursor, W>,
     nodes: &N,
     triangles: &T,
-    packet: &mut Packet<R, C, GROUPS>,
+    packet: &mut [Lane<R, C>; LANES],
 ) where
     N: NodeSource,
     T: TriangleSource<N::Frame>,
     R: Rule,
     C: Collector,
+    W: Wide + From<[f32; LANES]>,
 {
+    const { assert!(LANES <= 32, "a mask has 32 bits") };
     let mut first = None;
-    for lane in packet.as_flattened() {
+    for lane in packet.iter() {
         if first.is_none() && lane.ray.t_min <= lane.ray.t_max {
             first = Some(lane.ray);
         }
@@ -83,9 +90,7 @@ pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
     let Some(first) = first else {
         return;
     };
-    let of = |number: fn(&PreparedRay) -> f32| -> Wide<GROUPS> {
-        Wide::from_lanes(|group, i| number(&packet[group][i].ray))
-    };
+    let of = |number: fn(&PreparedRay) -> f32| -> W { from_fn(|i| number(&packet[i].ray)).into() };
     let origin = [
         of(|ray| ray.origin[0]),
         of(|ray| ray.origin[1]),
@@ -112,7 +117,7 @@ pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
     ];
     let t_min = of(|ray| ray.t_min);
     let mut who = near(&first.origin, &origin) & near(&first.direction, &direction);
-    for (i, lane) in packet.as_flattened().iter().enumerate() {
+    for (i, lane) in packet.iter().enumerate() {
         if lane.ray.axes != first.axes || lane.ray.t_min > lane.ray.t_max {
             who &= !(1 << i);
         }
@@ -120,7 +125,7 @@ pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
     if who.count_ones() <= FEW {
         who = 0;
     }
-    for (i, lane) in packet.as_flattened_mut().iter_mut().enumerate() {
+    for (i, lane) in packet.iter_mut().enumerate() {
         if who >> i & 1 == 0 {
             trace_alone(&mut stacks.alone, nodes, triangles, lane);
         }
@@ -128,12 +133,12 @@ pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
     if who == 0 {
         return;
     }
-    let limit = Wide::from_lanes(|group, i| packet[group][i].limit());
+    let limit = limits(packet);
     let mut steps = nodes.step_limit();
     let mut query = Together {
         packet,
         // In a sound tree each passes every node once at most.
-        steps_alone: steps.saturating_mul(4 * GROUPS as u32),
+        steps_alone: steps.saturating_mul(LANES as u32),
         alone: &mut stacks.alone,
         axes: first.axes,
         origin,
@@ -157,11 +162,11 @@ pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
 
 /// Which lanes are so near to a vector, on all axes, that they are expected to pass the same nodes.
 #[inline(always)]
-fn near<const GROUPS: usize>(vector: &[f32; 3], lanes: &[Wide<GROUPS>; 3]) -> u32 {
+fn near<W: Wide>(vector: &[f32; 3], lanes: &[W; 3]) -> u32 {
     let mut who = u32::MAX;
     for axis in 0..3 {
-        let off = lanes[axis] - Wide::splat(vector[axis]);
-        who &= off.max(-off).at_most(Wide::splat(APART));
+        let off = lanes[axis] - W::splat(vector[axis]);
+        who &= off.max(-off).at_most(W::splat(APART));
     }
     who
 }
@@ -214,45 +219,50 @@ fn test_lane<R: Rule, C: Collector>(
 
 /// Where rays of a packet enter a node, and which of them do.
 #[derive(Clone, Copy, Debug)]
-pub struct Entries<const GROUPS: usize> {
-    enter: Wide<GROUPS>,
+pub struct Entries<W> {
+    enter: W,
     /// A bit a ray.
     who: u32,
 }
 
-impl<const GROUPS: usize> Enter for Entries<GROUPS> {
+impl<W: Wide> Enter for Entries<W> {
     const ZERO: Self = Self {
-        enter: Wide::ZERO,
+        enter: W::ZERO,
         who: 0,
     };
 }
 
 /// Rays whose axes have the same order.
-struct Together<'a, R, C, U: Cursor, const GROUPS: usize> {
-    packet: &'a mut Packet<R, C, GROUPS>,
+struct Together<'a, R, C, U: Cursor, W, const LANES: usize> {
+    packet: &'a mut [Lane<R, C>; LANES],
     alone: &'a mut Stack<U>,
     /// What is left of the steps of all rays that go on alone.
     steps_alone: u32,
     axes: [u32; 3],
-    origin: [Wide<GROUPS>; 3],
-    direction: [Wide<GROUPS>; 3],
-    plane_origins: [BoxSpan<GROUPS>; 3],
-    inverse: [Wide<GROUPS>; 3],
-    t_min: Wide<GROUPS>,
+    origin: [W; 3],
+    direction: [W; 3],
+    plane_origins: [BoxSpan<W>; 3],
+    inverse: [W; 3],
+    t_min: W,
     /// Below everything for rays that want nothing more.
-    limit: Wide<GROUPS>,
+    limit: W,
     /// A bit for each ray that walks along.
     members: u32,
     /// Those that meet the node that is walked to.
     who: u32,
 }
 
-impl<R, C: Collector, U: Cursor, const GROUPS: usize> Together<'_, R, C, U, GROUPS> {
+impl<R, C, U, W, const LANES: usize> Together<'_, R, C, U, W, LANES>
+where
+    C: Collector,
+    U: Cursor,
+    W: Wide + From<[f32; LANES]>,
+{
     #[inline(always)]
-    fn meet(&self, low: [f32; 3], high: [f32; 3]) -> Entries<GROUPS> {
+    fn meet(&self, low: [f32; 3], high: [f32; 3]) -> Entries<W> {
         let span = |low, high| BoxSpan {
-            low: Wide::splat(low),
-            high: Wide::splat(high),
+            low: W::splat(low),
+            high: W::splat(high),
         };
         let planes = [
             span(low[0], high[0]),
@@ -273,29 +283,26 @@ impl<R, C: Collector, U: Cursor, const GROUPS: usize> Together<'_, R, C, U, GROU
         mut call: impl FnMut(&mut Lane<R, C>, &mut Stack<U>, &mut u32),
     ) {
         let mut left = who;
-        for (group, limit) in self.packet.iter_mut().zip(&mut self.limit.0) {
-            if left & 15 != 0 {
-                for (i, lane) in group.iter_mut().enumerate() {
-                    if left >> i & 1 != 0 {
-                        call(lane, self.alone, &mut self.steps_alone);
-                    }
-                }
-                let [a, b, c, d] = group;
-                *limit = Vec4::new(a.limit(), b.limit(), c.limit(), d.limit());
+        while left != 0 {
+            let next = left.trailing_zeros() as usize;
+            left &= left - 1;
+            if let Some(lane) = self.packet.get_mut(next) {
+                call(lane, self.alone, &mut self.steps_alone);
             }
-            left >>= 4;
         }
+        self.limit = limits(self.packet);
     }
 }
 
-impl<N, T, R, C, const GROUPS: usize> Query<N, T> for Together<'_, R, C, N::Cursor, GROUPS>
+impl<N, T, R, C, W, const LANES: usize> Query<N, T> for Together<'_, R, C, N::Cursor, W, LANES>
 where
     N: NodeSource,
     T: TriangleSource<N::Frame>,
     R: Rule,
     C: Collector,
+    W: Wide + From<[f32; LANES]>,
 {
-    type Enter = Entries<GROUPS>;
+    type Enter = Entries<W>;
 
     #[inline(always)]
     fn axes(&self) -> [u32; 3] {
@@ -309,13 +316,13 @@ where
     }
 
     #[inline(always)]
-    fn is_due(&mut self, entries: Entries<GROUPS>) -> bool {
+    fn is_due(&mut self, entries: Entries<W>) -> bool {
         self.who = entries.who & entries.enter.at_most(self.limit);
         self.who != 0
     }
 
     #[inline(always)]
-    fn open(&mut self, planes: [PlanePair; 3]) -> Opened<Entries<GROUPS>> {
+    fn open(&mut self, planes: [PlanePair; 3]) -> Opened<Entries<W>> {
         let [p, q, r] = planes;
         let left = self.meet([p.x, q.x, r.x], [p.z, q.z, r.z]);
         let right = self.meet([p.y, q.y, r.y], [p.w, q.w, r.w]);
@@ -332,14 +339,14 @@ where
     }
 
     #[inline(always)]
-    fn follow(&mut self, entries: Entries<GROUPS>) {
+    fn follow(&mut self, entries: Entries<W>) {
         self.who = entries.who;
     }
 
     #[inline(always)]
     fn test(&mut self, triangles: &T, place: &Place<N::Frame>) {
         let corners = triangles.corners(place, self.axes);
-        let spread = |[x, y, z]: [f32; 3]| [Wide::splat(x), Wide::splat(y), Wide::splat(z)];
+        let spread = |[x, y, z]: [f32; 3]| [W::splat(x), W::splat(y), W::splat(z)];
         let spread = [spread(corners[0]), spread(corners[1]), spread(corners[2])];
         let who = self.who & passes_inside(self.origin, self.direction, spread);
         if who != 0 {

@@ -6,6 +6,7 @@ mod decide;
 mod decode;
 mod divide;
 mod encode;
+pub(crate) mod lanes;
 mod order;
 pub(crate) mod packets;
 mod paint;

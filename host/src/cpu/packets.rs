@@ -3,14 +3,12 @@
 use crate::Bvh;
 use crate::bvh::facing;
 use crate::coded::{Together, with_stacks};
+use crate::cpu::lanes::LANES;
 use rayon::prelude::*;
 use slimbvh_core::classify::{Except, Facing, Sides};
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
-use slimbvh_core::trace::{ClosestOrAny, Lane, Packet, Rule, trace_packet};
-
-/// Groups of four rays in a packet. Measured against 4: ARCHITECTURE.md.
-pub const GROUPS: usize = 2;
+use slimbvh_core::trace::{ClosestOrAny, Lane, Rule, trace_packet};
 
 /// Which triangles count for a ray: those that count for all, but one.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +34,7 @@ impl Rule for ButOne<'_> {
 }
 
 /// Rays, and what they ask.
-pub type AskedPacket<'a> = Packet<ButOne<'a>, ClosestOrAny, GROUPS>;
+pub type AskedPacket<'a> = [Lane<ButOne<'a>, ClosestOrAny>; LANES];
 
 /// Rays that a task takes at once.
 const BLOCK: usize = 512;
@@ -115,12 +113,12 @@ impl Bvh {
             rule: ButOne::new(&rule, NO_PRIMITIVE),
             collector: ClosestOrAny::closest(nothing.t_max),
         };
-        let mut packet = [[nothing; 4]; GROUPS];
-        let mut numbers = [0; 4 * GROUPS];
+        let mut packet = [nothing; LANES];
+        let mut numbers = [0; LANES];
         let mut rays = rays.peekable();
         while rays.peek().is_some() {
             let mut count = 0;
-            for (to, number) in packet.as_flattened_mut().iter_mut().zip(&mut numbers) {
+            for (to, number) in packet.iter_mut().zip(&mut numbers) {
                 if let Some((own, ray, skip)) = rays.next() {
                     to.ray = PreparedRay::new(&ray, all.exponent);
                     to.rule.one = Except(skip);
@@ -135,7 +133,7 @@ impl Bvh {
                 }
             }
             self.trace(&mut packet);
-            for (lane, number) in packet.as_flattened().iter().zip(numbers).take(count) {
+            for (lane, number) in packet.iter().zip(numbers).take(count) {
                 answer(number, lane.ray.restore(lane.collector.closest.hit));
             }
         }

@@ -24,6 +24,7 @@ use slimbvh_core::encode::{
     scaled_step, with_links,
 };
 use slimbvh_core::float::{PowerOfTwo, power_of_two};
+use slimbvh_core::lanes::Eight;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::launch::carries;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
@@ -42,8 +43,8 @@ use slimbvh_core::sort::{
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes};
 use slimbvh_core::trace::{
-    BruteForce, ClosestHit, Lane, LeafTriangles, Packet, PacketStacks, PlainNodes, any_hit,
-    closest_hit, nearest_hits, trace_packet,
+    BruteForce, ClosestHit, Lane, LeafTriangles, PacketStacks, PlainNodes, any_hit, closest_hit,
+    nearest_hits, trace_packet,
 };
 use slimbvh_core::{
     Aabb, Hit, IndexedTriangles, LeafTriangle, Node, NodeRef, Ray, Triangle, Vec3, view,
@@ -304,10 +305,10 @@ pub fn trace_together(
     triangles: &[LeafTriangle],
     root: &RootWords,
     stacks: (
-        &mut PacketStacks<NodeRef, 2>,
-        &mut PacketStacks<LatticeCursor, 2>,
+        &mut PacketStacks<NodeRef, Eight>,
+        &mut PacketStacks<LatticeCursor, Eight>,
     ),
-    to: Out<[Packet<Except, ClosestHit, 2>; 2]>,
+    to: Out<[[Lane<Except, ClosestHit>; 8]; 2]>,
 ) {
     let triangles = LeafTriangles(triangles);
     let coded = LatticeNodes::<10, 4, false> {
@@ -316,7 +317,7 @@ pub fn trace_together(
         step: 0.5,
     };
     for packet in to.iter_mut() {
-        for (lane, ray) in packet.as_flattened_mut().iter_mut().zip(rays) {
+        for (lane, ray) in packet.iter_mut().zip(rays) {
             let ray = PreparedRay::new(ray, 3);
             *lane = Lane {
                 ray,

@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use slimbvh::generate::{icosphere, terrain};
 use slimbvh::{BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind};
 use slimbvh_core::classify::Except;
+use slimbvh_core::lanes::Eight;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::trace::{
     ClosestHit, Collector, Counted, Lane, LeafTriangles, NodeSource, PacketStacks, PlainNodes,
@@ -241,15 +242,14 @@ fn a_tree_with_circles_is_left() {
         }
     };
     let mut alone = lane(-0.52);
-    let mut stacks: PacketStacks<NodeRef, 2> = PacketStacks::EMPTY;
+    let mut stacks: PacketStacks<NodeRef, Eight> = PacketStacks::EMPTY;
     trace_alone(&mut stacks.alone, &sources.0, &sources.1, &mut alone);
     let limit = sources.0.step_limit();
     assert_eq!(alone.collector.node_count, limit);
-    let mut packet = [[lane(-0.49); 4]; 2];
-    packet[0][0] = lane(-0.52);
+    let mut packet = [lane(-0.49); 8];
+    packet[0] = lane(-0.52);
     trace_packet(&mut stacks, &sources.0, &sources.1, &mut packet);
-    let lanes = packet.as_flattened().iter();
-    let steps: u32 = lanes.map(|lane| lane.collector.node_count).sum();
+    let steps: u32 = packet.iter().map(|lane| lane.collector.node_count).sum();
     assert!(limit <= steps && steps <= 8 * limit, "{steps}");
 }
 
