@@ -1,41 +1,23 @@
 //! Numbers of one ray, or of several at once: the same arithmetic either way.
 
-use core::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
+use crate::float;
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use glam::{BVec4A, Vec4};
 
 /// A number for each lane: `f32` for one, [`Wide`] for several.
-pub trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+pub trait Lanes:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
     /// A yes or no for each lane.
-    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask>;
-
-    /// Where it is smaller or equal.
-    fn at_most(self, other: Self) -> Self::Mask;
-
-    /// Where it is larger or equal.
-    fn at_least(self, other: Self) -> Self::Mask;
-}
-
-impl Lanes for f32 {
-    type Mask = bool;
-
-    #[inline(always)]
-    fn at_most(self, other: Self) -> bool {
-        self <= other
-    }
-
-    #[inline(always)]
-    fn at_least(self, other: Self) -> bool {
-        self >= other
-    }
-}
-
-/// Numbers of several rays, 32 at most. Masks hold a bit a lane, the first lane lowest.
-///
-/// Each lane computes what `f32` does, to the bit. [`Eight`] does so everywhere; hosts have types of their own where a
-/// processor has wider registers.
-pub trait Wide: Lanes<Mask = u32> + Neg<Output = Self> {
-    /// Zero in all lanes.
-    const ZERO: Self;
+    type Mask: Copy
+        + BitAnd<Output = Self::Mask>
+        + BitOr<Output = Self::Mask>
+        + Not<Output = Self::Mask>;
 
     /// The same in all lanes.
     fn splat(x: f32) -> Self;
@@ -47,21 +29,92 @@ pub trait Wide: Lanes<Mask = u32> + Neg<Output = Self> {
     /// The larger in each lane.
     #[must_use]
     fn max(self, other: Self) -> Self;
+
+    /// Without its sign.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// Where it is smaller or equal.
+    fn at_most(self, other: Self) -> Self::Mask;
+
+    /// Where it is larger or equal.
+    fn at_least(self, other: Self) -> Self::Mask;
+
+    /// One number where the mask says yes, another where it says no.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// Whether a mask says yes anywhere.
+    fn any(mask: Self::Mask) -> bool;
+}
+
+impl Lanes for f32 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn splat(x: f32) -> Self {
+        x
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        float::min(self, other)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        float::max(self, other)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        float::abs(self)
+    }
+
+    #[inline(always)]
+    fn at_most(self, other: Self) -> bool {
+        self <= other
+    }
+
+    #[inline(always)]
+    fn at_least(self, other: Self) -> bool {
+        self >= other
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn any(mask: bool) -> bool {
+        mask
+    }
+}
+
+/// Numbers of several rays, 32 at most.
+///
+/// Each lane computes what `f32` does, to the bit, but for `min` and `max` of what is no number. [`Eight`] does so
+/// everywhere; hosts have types of their own where a processor has wider registers.
+pub trait Wide: Lanes {
+    /// Zero in all lanes.
+    const ZERO: Self;
+
+    /// A bit for each lane, the first lane's lowest.
+    fn bits(mask: Self::Mask) -> u32;
 }
 
 /// Eight numbers, in two registers of four.
 #[derive(Clone, Copy, Debug)]
 pub struct Eight(Vec4, Vec4);
 
+/// Eight times yes or no.
+#[derive(Clone, Copy, Debug)]
+pub struct EightMask(BVec4A, BVec4A);
+
 impl Eight {
     #[inline(always)]
     fn each(self, other: Self, of: impl Fn(Vec4, Vec4) -> Vec4) -> Self {
         Self(of(self.0, other.0), of(self.1, other.1))
-    }
-
-    #[inline(always)]
-    fn mask(self, other: Self, of: impl Fn(Vec4, Vec4) -> BVec4A) -> u32 {
-        of(self.0, other.0).bitmask() | of(self.1, other.1).bitmask() << 4
     }
 }
 
@@ -69,6 +122,14 @@ impl From<[f32; 8]> for Eight {
     #[inline(always)]
     fn from([a, b, c, d, e, f, g, h]: [f32; 8]) -> Self {
         Self(Vec4::new(a, b, c, d), Vec4::new(e, f, g, h))
+    }
+}
+
+impl From<Eight> for [f32; 8] {
+    #[inline(always)]
+    fn from(Eight(low, high): Eight) -> Self {
+        let ([a, b, c, d], [e, f, g, h]) = (low.to_array(), high.to_array());
+        [a, b, c, d, e, f, g, h]
     }
 }
 
@@ -99,6 +160,15 @@ impl Mul for Eight {
     }
 }
 
+impl Div for Eight {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self.each(other, Vec4::div)
+    }
+}
+
 impl Neg for Eight {
     type Output = Self;
 
@@ -108,22 +178,35 @@ impl Neg for Eight {
     }
 }
 
-impl Lanes for Eight {
-    type Mask = u32;
+impl BitAnd for EightMask {
+    type Output = Self;
 
     #[inline(always)]
-    fn at_most(self, other: Self) -> u32 {
-        self.mask(other, Vec4::cmple)
-    }
-
-    #[inline(always)]
-    fn at_least(self, other: Self) -> u32 {
-        self.mask(other, Vec4::cmpge)
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0, self.1 & other.1)
     }
 }
 
-impl Wide for Eight {
-    const ZERO: Self = Self(Vec4::ZERO, Vec4::ZERO);
+impl BitOr for EightMask {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0, self.1 | other.1)
+    }
+}
+
+impl Not for EightMask {
+    type Output = Self;
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(!self.0, !self.1)
+    }
+}
+
+impl Lanes for Eight {
+    type Mask = EightMask;
 
     #[inline(always)]
     fn splat(x: f32) -> Self {
@@ -138,6 +221,43 @@ impl Wide for Eight {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         self.each(other, Vec4::max)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs(), self.1.abs())
+    }
+
+    #[inline(always)]
+    fn at_most(self, other: Self) -> EightMask {
+        EightMask(self.0.cmple(other.0), self.1.cmple(other.1))
+    }
+
+    #[inline(always)]
+    fn at_least(self, other: Self) -> EightMask {
+        EightMask(self.0.cmpge(other.0), self.1.cmpge(other.1))
+    }
+
+    #[inline(always)]
+    fn select(mask: EightMask, yes: Self, no: Self) -> Self {
+        Self(
+            Vec4::select(mask.0, yes.0, no.0),
+            Vec4::select(mask.1, yes.1, no.1),
+        )
+    }
+
+    #[inline(always)]
+    fn any(mask: EightMask) -> bool {
+        (mask.0 | mask.1).any()
+    }
+}
+
+impl Wide for Eight {
+    const ZERO: Self = Self(Vec4::ZERO, Vec4::ZERO);
+
+    #[inline(always)]
+    fn bits(mask: EightMask) -> u32 {
+        mask.0.bitmask() | mask.1.bitmask() << 4
     }
 }
 
@@ -167,18 +287,25 @@ mod tests {
         #[test]
         fn each_lane_computes_as_one_number(a in proptest::array::uniform8(number()), b in proptest::array::uniform8(number())) {
             let (x, y) = (Eight::from(a), Eight::from(b));
-            let lane = |wide: Eight, i: usize| [wide.0, wide.1][i / 4][i % 4];
+            let lane = |wide: Eight, i: usize| <[f32; 8]>::from(wide)[i];
             for i in 0..8 {
                 let (a, b) = (a[i], b[i]);
-                for (found, expected) in [(x + y, a + b), (x - y, a - b), (x * y, a * b), (-x, -a)] {
+                for (found, expected) in [(x + y, a + b), (x - y, a - b), (x * y, a * b), (x / y, a / b), (-x, -a), (x.abs(), a.abs())] {
                     let found = lane(found, i);
                     prop_assert!(found.to_bits() == expected.to_bits() || (found.is_nan() && expected.is_nan()));
                 }
                 prop_assert_eq!(lane(x.min(y), i), min(a, b));
                 prop_assert_eq!(lane(x.max(y), i), max(a, b));
                 prop_assert_eq!(lane(Eight::splat(a), i), a);
-                prop_assert_eq!(x.at_most(y) >> i & 1 == 1, a.at_most(b));
-                prop_assert_eq!(x.at_least(y) >> i & 1 == 1, a.at_least(b));
+                let says = |mask: EightMask| Eight::bits(mask) >> i & 1 == 1;
+                let (at_most, at_least) = (x.at_most(y), x.at_least(y));
+                prop_assert_eq!(says(at_most), a <= b);
+                prop_assert_eq!(says(at_least), a >= b);
+                prop_assert_eq!(says(!at_most), a > b);
+                prop_assert_eq!(says(at_most & at_least), a == b);
+                prop_assert!(says(at_most | at_least));
+                prop_assert_eq!(lane(Eight::select(at_most, x, y), i).to_bits(), if a <= b { a } else { b }.to_bits());
+                prop_assert_eq!(Eight::any(at_most), Eight::bits(at_most) != 0);
             }
         }
     }

@@ -4,7 +4,7 @@ use crate::float::{
     INFINITY_BITS, PowerOfTwo, abs, exponent, magnitude_bits, max, power_of_two,
     scale_by_power_of_two, scale_to_normal,
 };
-use crate::slab::PlanePair;
+use crate::slab::{PlanePair, Planes};
 use bytemuck::{Pod, Zeroable};
 
 /// A half line, or a part of one: the points `origin + t · direction` with `t_min <= t <= t_max`. 32 bytes.
@@ -186,6 +186,18 @@ impl PreparedRay {
         }
     }
 
+    /// One lane.
+    #[inline(always)]
+    pub(crate) fn lanes(&self) -> RayLanes<PlanePair> {
+        RayLanes {
+            origin: self.origin,
+            direction: self.direction,
+            plane_origins: self.plane_origins,
+            inverse: self.inverse,
+            t_min: self.t_min,
+        }
+    }
+
     /// A hit's t in the caller's unit.
     #[inline]
     #[must_use]
@@ -199,6 +211,16 @@ impl PreparedRay {
             Hit::MISS
         }
     }
+}
+
+/// What the tests of boxes and triangles need of a prepared ray, or of several whose axes have the same order.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RayLanes<P: Planes> {
+    pub origin: [P::Numbers; 3],
+    pub direction: [P::Numbers; 3],
+    pub plane_origins: [P; 3],
+    pub inverse: [P::Numbers; 3],
+    pub t_min: P::Numbers,
 }
 
 /// Keeps overflowed parameters finite, by their bits: what is no normal number stays what it is.

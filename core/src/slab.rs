@@ -12,7 +12,7 @@
 //! that pass an edge of a box much longer than their way to it.
 
 use crate::float::gamma;
-use crate::lanes::Wide;
+use crate::lanes::{Lanes, Wide};
 use crate::ray::PreparedRay;
 use core::ops::{Add, Neg, Sub};
 use glam::{Vec4, Vec4Swizzles};
@@ -25,11 +25,17 @@ pub type PlanePair = Vec4;
 
 /// Planes on one axis: of two boxes for one ray ([`PlanePair`]), or of one box for several rays ([`BoxSpan`]).
 pub trait Planes: Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> {
-    /// What a ray multiplies distances by.
-    type Factor: Copy;
+    /// A number for each ray.
+    type Numbers: Lanes;
+
+    /// The planes of one box for all rays, which stands in for both where there are two.
+    fn of_box(low: f32, high: f32) -> Self;
+
+    /// For the plane at the smaller coordinate, of the first box where there are two.
+    fn low(self) -> Self::Numbers;
 
     /// Each distance times the ray's factor.
-    fn times(self, factor: Self::Factor) -> Self;
+    fn times(self, factor: Self::Numbers) -> Self;
 
     /// All distances times the same.
     fn scaled(self, factor: f32) -> Self;
@@ -45,7 +51,17 @@ pub trait Planes: Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = 
 }
 
 impl Planes for PlanePair {
-    type Factor = f32;
+    type Numbers = f32;
+
+    #[inline(always)]
+    fn of_box(low: f32, high: f32) -> Self {
+        Self::new(low, low, high, high)
+    }
+
+    #[inline(always)]
+    fn low(self) -> f32 {
+        self.x
+    }
 
     #[inline(always)]
     fn times(self, factor: f32) -> Self {
@@ -128,7 +144,20 @@ impl<W: Wide> Neg for BoxSpan<W> {
 }
 
 impl<W: Wide> Planes for BoxSpan<W> {
-    type Factor = W;
+    type Numbers = W;
+
+    #[inline(always)]
+    fn of_box(low: f32, high: f32) -> Self {
+        Self {
+            low: W::splat(low),
+            high: W::splat(high),
+        }
+    }
+
+    #[inline(always)]
+    fn low(self) -> W {
+        self.low
+    }
 
     #[inline(always)]
     fn times(self, factor: W) -> Self {
@@ -203,7 +232,7 @@ pub(crate) struct Crossings<P> {
 pub(crate) fn crossings<P: Planes>(
     planes: [P; 3],
     plane_origins: [P; 3],
-    inverse: [P::Factor; 3],
+    inverse: [P::Numbers; 3],
 ) -> Crossings<P> {
     let t0 = (planes[0] - plane_origins[0]).times(inverse[0]);
     let t1 = (planes[1] - plane_origins[1]).times(inverse[1]);

@@ -5,10 +5,10 @@
 //! two rounded products: rounding is monotone, so the answer is right or "on the edge", the same for both triangles of
 //! the edge, and on the edge is inside.
 
-use crate::float::{UNIT_ROUNDOFF, abs, max, min};
+use crate::float::{UNIT_ROUNDOFF, max, min};
 use crate::lanes::Lanes;
-use crate::ray::{Hit, PreparedRay};
-use crate::slab::{PlanePair, crossings};
+use crate::ray::{Hit, PreparedRay, RayLanes};
+use crate::slab::{Planes, crossings};
 use glam::Vec3;
 
 /// A vertex seen along the ray: x and y across, scaled by the direction's last component.
@@ -59,85 +59,112 @@ fn pass<L: Lanes>(origin: [L; 3], direction: [L; 3], corners: [[L; 3]; 3]) -> Pa
     }
 }
 
-/// Which rays pass inside or on all edges of a triangle: [`intersect`] asks the rest of each.
-#[cfg(not(target_arch = "spirv"))]
-#[inline(always)]
-pub(crate) fn passes_inside<L: Lanes>(
-    origin: [L; 3],
-    direction: [L; 3],
-    corners: [[L; 3]; 3],
-) -> L::Mask {
-    let passage = pass(origin, direction, corners);
-    passage.front | passage.back
+/// Where rays meet a triangle: `P = (1-u-v)·v0 + u·v1 + v·v2`.
+pub(crate) struct Meeting<L: Lanes> {
+    /// In prepared t. Means nothing for rays that miss, as all the rest.
+    pub t: L,
+    pub u: L,
+    pub v: L,
+    /// Which rays meet it.
+    pub met: L::Mask,
 }
 
 /// Where the ray meets the triangle, its corners in the order of the ray's axes, within `t_min..=limit`, in prepared t;
 /// [`Hit::MISS`] otherwise. Both sides count.
-///
-/// A hit needs three things: the ray passes inside or on all edges; it passes the slab test of the triangle's own tight
-/// box; and t, brought between the box's entry and exit where rounding left it outside, lies in range. As an ancestor's
-/// box is entered no later than the triangle's own, no tree can lose the hit or find another.
 #[inline(always)]
 #[must_use]
 pub fn intersect(ray: &PreparedRay, corners: [[f32; 3]; 3], limit: f32, primitive: u32) -> Hit {
-    let passage = pass(ray.origin, ray.direction, corners);
-    if !(passage.front | passage.back) {
-        return Hit::MISS;
-    }
-    let [a, b, c] = passage.corners;
-    let [[p0, q0], [p1, q1], [p2, q2]] = passage.products;
-
-    // A fused difference may have the other sign: clamp it to the side that the comparison chose.
-    let sign = if passage.front { 1.0 } else { -1.0 };
-    let e0 = max((p0 - q0) * sign, 0.0);
-    let e1 = max((p1 - q1) * sign, 0.0);
-    let e2 = max((p2 - q2) * sign, 0.0);
-    let area = e0 + e1 + e2;
-    if area < f32::MIN_POSITIVE || is_beside(a.x, b.x, c.x) || is_beside(a.y, b.y, c.y) {
-        return Hit::MISS;
-    }
-
-    // The triangle's own box has the last word.
-    let [v0, v1, v2] = corners;
-    let planes = [
-        span(v0[0], v1[0], v2[0]),
-        span(v0[1], v1[1], v2[1]),
-        span(v0[2], v1[2], v2[2]),
-    ];
-    let own_box = crossings(planes, ray.plane_origins, ray.inverse);
-    let (enter, exit) = (own_box.enter.x, own_box.exit.x);
-    let first = max(enter, ray.t_min);
-    if first > own_box.padded_exit.x || first > limit {
-        return Hit::MISS;
-    }
-    let t = max(
-        min(plane_t(ray, corners, [a, b, c], [e0, e1, e2]), exit),
-        enter,
-    );
-    if t >= ray.t_min && t <= limit {
-        let scale = 1.0 / area;
-        Hit {
-            t,
-            u: e1 * scale,
-            v: e2 * scale,
-            primitive,
-        }
+    let Meeting { t, u, v, met } = meet(&ray.lanes(), &corners, limit);
+    if met {
+        Hit { t, u, v, primitive }
     } else {
         Hit::MISS
     }
 }
 
-/// Whether the ray passes on one side of all corners, on one axis across: exactly, as they are seen along the ray.
+/// Where rays meet a triangle within `t_min..=limit`.
+///
+/// A hit needs three things: the ray passes inside or on all edges; it passes the slab test of the triangle's own tight
+/// box; and t, brought between the box's entry and exit where rounding left it outside, lies in range. As an ancestor's
+/// box is entered no later than the triangle's own, no tree can lose the hit or find another.
+#[inline(always)]
+pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
+    rays: &RayLanes<P>,
+    corners: &[[f32; 3]; 3],
+    limit: L,
+) -> Meeting<L> {
+    let zero = L::splat(0.0);
+    let passage = pass(
+        rays.origin,
+        rays.direction,
+        corners.map(|v| v.map(L::splat)),
+    );
+    let inside = passage.front | passage.back;
+    if !L::any(inside) {
+        return Meeting {
+            t: zero,
+            u: zero,
+            v: zero,
+            met: inside,
+        };
+    }
+    let [a, b, c] = passage.corners;
+    let [[p0, q0], [p1, q1], [p2, q2]] = passage.products;
+
+    // A fused difference may have the other sign: clamp it to the side that the comparison chose.
+    let sign = L::select(passage.front, L::splat(1.0), L::splat(-1.0));
+    let e0 = ((p0 - q0) * sign).max(zero);
+    let e1 = ((p1 - q1) * sign).max(zero);
+    let e2 = ((p2 - q2) * sign).max(zero);
+    let area = e0 + e1 + e2;
+
+    // The triangle's own box has the last word.
+    let [v0, v1, v2] = *corners;
+    let planes = [
+        span(v0[0], v1[0], v2[0]),
+        span(v0[1], v1[1], v2[1]),
+        span(v0[2], v1[2], v2[2]),
+    ];
+    let own_box = crossings::<P>(planes, rays.plane_origins, rays.inverse);
+    let (enter, exit) = (own_box.enter.low(), own_box.exit.low());
+    let first = enter.max(rays.t_min);
+    let candidates = inside
+        & area.at_least(L::splat(f32::MIN_POSITIVE))
+        & reaches(a.x, b.x, c.x)
+        & reaches(a.y, b.y, c.y)
+        & first.at_most(own_box.padded_exit.low())
+        & first.at_most(limit);
+    if !L::any(candidates) {
+        return Meeting {
+            t: zero,
+            u: zero,
+            v: zero,
+            met: candidates,
+        };
+    }
+    let t = plane_t(rays, corners, ([a, b, c], [e0, e1, e2]), candidates);
+    let t = t.min(exit).max(enter);
+    let scale = L::splat(1.0) / area;
+    Meeting {
+        t,
+        u: e1 * scale,
+        v: e2 * scale,
+        met: candidates & t.at_least(rays.t_min) & t.at_most(limit),
+    }
+}
+
+/// Whether the ray passes between the corners or on one, on one axis across: exactly, as they are seen along the ray.
 ///
 /// Edges alone do not tell where the ray runs in the triangle's plane: all three then pass through it, but for rounding.
 /// Of surfaces that hang together one triangle holds the ray exactly, and is never beside it.
 #[inline(always)]
-fn is_beside(a: f32, b: f32, c: f32) -> bool {
-    min(min(a, b), c) > 0.0 || max(max(a, b), c) < 0.0
+fn reaches<L: Lanes>(a: L, b: L, c: L) -> L::Mask {
+    let zero = L::splat(0.0);
+    a.min(b).min(c).at_most(zero) & a.max(b).max(c).at_least(zero)
 }
 
 /// Where the ray's line meets the triangle's plane: `n·p / n·d`. `sheared` are the corners as they are seen along the ray,
-/// `weights` those of the point that the ray meets.
+/// `weights` those of the point that the ray meets. Right for the rays that are asked.
 ///
 /// The normal comes from the two shortest edges (as in Embree's `stable_triangle_normal`), and p is the corner of the
 /// largest weight, so that t is about as good as the corners are. To weight the corners' own t would be off by the
@@ -148,18 +175,17 @@ fn is_beside(a: f32, b: f32, c: f32) -> bool {
 /// point on the longest side beside the ray. Else, and where the ray runs in the plane as far as rounding can tell, t is
 /// where the ray passes this point, and the rest of the way is with that normal, where it is no longer than the triangle.
 #[inline(always)]
-fn plane_t(
-    ray: &PreparedRay,
-    corners: [[f32; 3]; 3],
-    sheared: [Sheared<f32>; 3],
-    weights: [f32; 3],
-) -> f32 {
-    let [a, b, c] = corners;
-    let (a, b, c) = (
-        Vec3::from_array(a),
-        Vec3::from_array(b),
-        Vec3::from_array(c),
-    );
+fn plane_t<P: Planes<Numbers = L>, L: Lanes>(
+    rays: &RayLanes<P>,
+    corners: &[[f32; 3]; 3],
+    (sheared, weights): ([Sheared<L>; 3], [L; 3]),
+    asked: L::Mask,
+) -> L {
+    let [a, b, c] = [
+        Vec3::from_array(corners[0]),
+        Vec3::from_array(corners[1]),
+        Vec3::from_array(corners[2]),
+    ];
     let [at_a, at_b, at_c] = sheared;
     let (ab, bc, ca) = (b - a, c - b, a - c);
     let (size_ab, size_bc, size_ca) = (size(ab), size(bc), size(ca));
@@ -172,37 +198,48 @@ fn plane_t(
         (ab, bc, c, ca, at_c, at_a)
     };
     let n = e.cross(f);
-    let (origin, direction) = (
-        Vec3::from_array(ray.origin),
-        Vec3::from_array(ray.direction),
-    );
+    let [origin, direction] = [rays.origin, rays.direction];
     let [weight_a, weight_b, weight_c] = weights;
-    let p = if weight_a >= weight_b && weight_a >= weight_c {
-        a
-    } else if weight_b >= weight_c {
-        b
-    } else {
-        c
+    let is_a = weight_a.at_least(weight_b) & weight_a.at_least(weight_c);
+    let is_b = weight_b.at_least(weight_c);
+    let nearest = |a: f32, b: f32, c: f32| {
+        L::select(is_a, L::splat(a), L::select(is_b, L::splat(b), L::splat(c)))
     };
-    let (height, slope) = (n.dot(p - origin), n.dot(direction));
+    let p = [
+        nearest(a.x, b.x, c.x) - origin[0],
+        nearest(a.y, b.y, c.y) - origin[1],
+        nearest(a.z, b.z, c.z) - origin[2],
+    ];
+    let normal = n.to_array().map(L::splat);
+    let (height, slope) = (dot(normal, p), dot(normal, direction));
 
     // The point on the longest side that the ray passes at a right angle, as seen along it.
     let (x, y) = (end.x - at.x, end.y - at.y);
-    let share = max(min(-(at.x * x + at.y * y) / (x * x + y * y), 1.0), 0.0);
-    let p = from + side * share - origin;
-    let beside = p.z / direction.z;
-    let is_on_plane = abs(n.dot(p) - height) <= PLANE_SLACK * max(size(p), longest) * size(n);
-    if is_on_plane && abs(slope) > EDGE_ON * size(e) * size(f) {
-        return height / slope;
+    let square = (x * x + y * y).max(L::splat(f32::MIN_POSITIVE));
+    let share = -(at.x * x + at.y * y) / square;
+    let share = share.min(L::splat(1.0)).max(L::splat(0.0));
+    let beside = |axis: usize| L::splat(from[axis]) + L::splat(side[axis]) * share - origin[axis];
+    let p = [beside(0), beside(1), beside(2)];
+    let reach = p[0].abs().max(p[1].abs()).max(p[2].abs());
+    let slack = L::splat(PLANE_SLACK) * reach.max(L::splat(longest)) * L::splat(size(n));
+    let is_on_plane = (dot(normal, p) - height).abs().at_most(slack);
+    let is_edge_on = slope.abs().at_most(L::splat(EDGE_ON * size(e) * size(f)));
+    let is_sure = is_on_plane & !is_edge_on;
+    let t = height / slope;
+    if !L::any(asked & !is_sure) {
+        return t;
     }
     // Along the direction's longest axis nothing is left. (Compilers of shaders take `z · (x / z)` for x: none is written here.)
-    let (x, y) = (p.x - direction.x * beside, p.y - direction.y * beside);
-    let rest = (n.x * x + n.y * y) / slope;
-    if abs(rest) <= longest {
-        beside + rest
-    } else {
-        beside
-    }
+    let beside = p[2] / direction[2];
+    let (x, y) = (p[0] - direction[0] * beside, p[1] - direction[1] * beside);
+    let rest = (normal[0] * x + normal[1] * y) / slope;
+    let is_near = rest.abs().at_most(L::splat(longest));
+    L::select(is_sure, t, L::select(is_near, beside + rest, beside))
+}
+
+#[inline(always)]
+fn dot<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// What rounding may leave of `n·d` where the ray runs in the triangle's plane, relative to the sides that n comes from.
@@ -214,15 +251,13 @@ const PLANE_SLACK: f32 = 16.0 * UNIT_ROUNDOFF;
 /// The magnitude of the largest component.
 #[inline(always)]
 fn size(v: Vec3) -> f32 {
-    max(max(abs(v.x), abs(v.y)), abs(v.z))
+    v.x.abs().max(v.y.abs()).max(v.z.abs())
 }
 
-/// The planes around three coordinates, twice.
+/// The planes around three coordinates.
 #[inline(always)]
-fn span(a: f32, b: f32, c: f32) -> PlanePair {
-    let low = min(min(a, b), c);
-    let high = max(max(a, b), c);
-    PlanePair::new(low, low, high, high)
+fn span<P: Planes>(a: f32, b: f32, c: f32) -> P {
+    P::of_box(min(min(a, b), c), max(max(a, b), c))
 }
 
 /// Keeps barycentric coordinates of a hit in range: rounding may leave u + v a little above 1.

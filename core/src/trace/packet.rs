@@ -3,13 +3,13 @@
 //! Each ray's answer is the one that it would find alone, bit for bit: boxes and triangles are tested by the same arithmetic
 //! ([`crate::lanes`]), and no answer depends on which other nodes are opened.
 
-use super::query::{Opened, Query, Single, test_one};
+use super::query::{Opened, Query, Single};
 use super::stack::Enter;
 use super::{Collector, Cursor, NodeSource, Place, Rule, Stack, TriangleSource, walk};
 use crate::lanes::Wide;
-use crate::ray::PreparedRay;
-use crate::slab::{BoxSpan, PlanePair, crossings};
-use crate::watertight::passes_inside;
+use crate::ray::{Hit, PreparedRay, RayLanes};
+use crate::slab::{BoxSpan, PlanePair, Planes, crossings};
+use crate::watertight::{Meeting, meet};
 use core::array::from_fn;
 
 /// With no more rays than this below a node, each goes on alone. Measured against 2: ARCHITECTURE.md.
@@ -78,7 +78,7 @@ pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
     T: TriangleSource<N::Frame>,
     R: Rule,
     C: Collector,
-    W: Wide + From<[f32; LANES]>,
+    W: Wide + From<[f32; LANES]> + Into<[f32; LANES]>,
 {
     const { assert!(LANES <= 32, "a mask has 32 bits") };
     let mut first = None;
@@ -90,33 +90,20 @@ pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
     let Some(first) = first else {
         return;
     };
-    let of = |number: fn(&PreparedRay) -> f32| -> W { from_fn(|i| number(&packet[i].ray)).into() };
-    let origin = [
-        of(|ray| ray.origin[0]),
-        of(|ray| ray.origin[1]),
-        of(|ray| ray.origin[2]),
-    ];
-    let direction = [
-        of(|ray| ray.direction[0]),
-        of(|ray| ray.direction[1]),
-        of(|ray| ray.direction[2]),
-    ];
-    let inverse = [
-        of(|ray| ray.inverse[0]),
-        of(|ray| ray.inverse[1]),
-        of(|ray| ray.inverse[2]),
-    ];
-    let span = |low, high| BoxSpan {
-        low: of(low),
-        high: of(high),
+    let of_each = |numbers: fn(&PreparedRay) -> &[f32; 3]| {
+        from_fn(|axis| from_fn(|i| numbers(&packet[i].ray)[axis]).into())
     };
-    let plane_origins = [
-        span(|ray| ray.plane_origins[0].x, |ray| ray.plane_origins[0].z),
-        span(|ray| ray.plane_origins[1].x, |ray| ray.plane_origins[1].z),
-        span(|ray| ray.plane_origins[2].x, |ray| ray.plane_origins[2].z),
-    ];
-    let t_min = of(|ray| ray.t_min);
-    let mut who = near(&first.origin, &origin) & near(&first.direction, &direction);
+    let rays = RayLanes {
+        origin: of_each(|ray| &ray.origin),
+        direction: of_each(|ray| &ray.direction),
+        plane_origins: from_fn(|axis| BoxSpan {
+            low: from_fn(|i| packet[i].ray.plane_origins[axis].x).into(),
+            high: from_fn(|i| packet[i].ray.plane_origins[axis].z).into(),
+        }),
+        inverse: of_each(|ray| &ray.inverse),
+        t_min: from_fn(|i| packet[i].ray.t_min).into(),
+    };
+    let mut who = near(&first.origin, &rays.origin) & near(&first.direction, &rays.direction);
     for (i, lane) in packet.iter().enumerate() {
         if lane.ray.axes != first.axes || lane.ray.t_min > lane.ray.t_max {
             who &= !(1 << i);
@@ -141,11 +128,7 @@ pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
         steps_alone: steps.saturating_mul(LANES as u32),
         alone: &mut stacks.alone,
         axes: first.axes,
-        origin,
-        direction,
-        plane_origins,
-        inverse,
-        t_min,
+        rays,
         limit,
         members: who,
         who,
@@ -166,7 +149,7 @@ fn near<W: Wide>(vector: &[f32; 3], lanes: &[W; 3]) -> u32 {
     let mut who = u32::MAX;
     for axis in 0..3 {
         let off = lanes[axis] - W::splat(vector[axis]);
-        who &= off.max(-off).at_most(W::splat(APART));
+        who &= W::bits(off.abs().at_most(W::splat(APART)));
     }
     who
 }
@@ -201,20 +184,12 @@ fn go_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
     walk(stack, nodes, triangles, root, &mut query, steps);
 }
 
-/// [`test_one`] for a lane, never part of the walk.
+/// Offers a hit, if it counts: never part of the walk.
 #[inline(never)]
-fn test_lane<R: Rule, C: Collector>(
-    lane: &mut Lane<R, C>,
-    corners: &[[f32; 3]; 3],
-    primitive: u32,
-) {
-    test_one(
-        &lane.ray,
-        &lane.rule,
-        &mut lane.collector,
-        corners,
-        primitive,
-    );
+fn offer<R: Rule, C: Collector>(lane: &mut Lane<R, C>, corners: &[[f32; 3]; 3], hit: Hit) {
+    if lane.rule.counts(hit.primitive, corners, lane.ray.axes) {
+        lane.collector.offer(hit);
+    }
 }
 
 /// Where rays of a packet enter a node, and which of them do.
@@ -233,17 +208,13 @@ impl<W: Wide> Enter for Entries<W> {
 }
 
 /// Rays whose axes have the same order.
-struct Together<'a, R, C, U: Cursor, W, const LANES: usize> {
+struct Together<'a, R, C, U: Cursor, W: Wide, const LANES: usize> {
     packet: &'a mut [Lane<R, C>; LANES],
     alone: &'a mut Stack<U>,
     /// What is left of the steps of all rays that go on alone.
     steps_alone: u32,
     axes: [u32; 3],
-    origin: [W; 3],
-    direction: [W; 3],
-    plane_origins: [BoxSpan<W>; 3],
-    inverse: [W; 3],
-    t_min: W,
+    rays: RayLanes<BoxSpan<W>>,
     /// Below everything for rays that want nothing more.
     limit: W,
     /// A bit for each ray that walks along.
@@ -256,22 +227,15 @@ impl<R, C, U, W, const LANES: usize> Together<'_, R, C, U, W, LANES>
 where
     C: Collector,
     U: Cursor,
-    W: Wide + From<[f32; LANES]>,
+    W: Wide + From<[f32; LANES]> + Into<[f32; LANES]>,
 {
     #[inline(always)]
     fn meet(&self, low: [f32; 3], high: [f32; 3]) -> Entries<W> {
-        let span = |low, high| BoxSpan {
-            low: W::splat(low),
-            high: W::splat(high),
-        };
-        let planes = [
-            span(low[0], high[0]),
-            span(low[1], high[1]),
-            span(low[2], high[2]),
-        ];
-        let crossing = crossings(planes, self.plane_origins, self.inverse);
-        let enter = crossing.enter.low.max(self.t_min);
-        let who = self.who & enter.at_most(crossing.padded_exit.low.min(self.limit));
+        let [x, y, z] = from_fn(|axis| BoxSpan::of_box(low[axis], high[axis]));
+        let crossing = crossings([x, y, z], self.rays.plane_origins, self.rays.inverse);
+        let enter = crossing.enter.low.max(self.rays.t_min);
+        let meets = enter.at_most(crossing.padded_exit.low.min(self.limit));
+        let who = self.who & W::bits(meets);
         Entries { enter, who }
     }
 
@@ -280,14 +244,14 @@ where
     fn for_each(
         &mut self,
         who: u32,
-        mut call: impl FnMut(&mut Lane<R, C>, &mut Stack<U>, &mut u32),
+        mut call: impl FnMut(usize, &mut Lane<R, C>, &mut Stack<U>, &mut u32),
     ) {
         let mut left = who;
         while left != 0 {
             let next = left.trailing_zeros() as usize;
             left &= left - 1;
             if let Some(lane) = self.packet.get_mut(next) {
-                call(lane, self.alone, &mut self.steps_alone);
+                call(next, lane, self.alone, &mut self.steps_alone);
             }
         }
         self.limit = limits(self.packet);
@@ -300,7 +264,7 @@ where
     T: TriangleSource<N::Frame>,
     R: Rule,
     C: Collector,
-    W: Wide + From<[f32; LANES]>,
+    W: Wide + From<[f32; LANES]> + Into<[f32; LANES]>,
 {
     type Enter = Entries<W>;
 
@@ -317,7 +281,7 @@ where
 
     #[inline(always)]
     fn is_due(&mut self, entries: Entries<W>) -> bool {
-        self.who = entries.who & entries.enter.at_most(self.limit);
+        self.who = entries.who & W::bits(entries.enter.at_most(self.limit));
         self.who != 0
     }
 
@@ -332,7 +296,7 @@ where
         Opened {
             meets_left: left.who != 0,
             meets_right: right.who != 0,
-            left_first: left.enter.at_most(right.enter) & first == first,
+            left_first: W::bits(left.enter.at_most(right.enter)) & first == first,
             enter_left: left,
             enter_right: right,
         }
@@ -346,18 +310,22 @@ where
     #[inline(always)]
     fn test(&mut self, triangles: &T, place: &Place<N::Frame>) {
         let corners = triangles.corners(place, self.axes);
-        let spread = |[x, y, z]: [f32; 3]| [W::splat(x), W::splat(y), W::splat(z)];
-        let spread = [spread(corners[0]), spread(corners[1]), spread(corners[2])];
-        let who = self.who & passes_inside(self.origin, self.direction, spread);
+        let Meeting { t, u, v, met } = meet(&self.rays, &corners, self.limit);
+        let who = self.who & W::bits(met);
         if who != 0 {
             let primitive = triangles.primitive(place);
-            self.for_each(who, |lane, _, _| test_lane(lane, &corners, primitive));
+            let (t, u, v): ([f32; LANES], [f32; LANES], [f32; LANES]) =
+                (t.into(), u.into(), v.into());
+            self.for_each(who, |i, lane, _, _| {
+                let (t, u, v) = (t[i], u[i], v[i]);
+                offer(lane, &corners, Hit { t, u, v, primitive });
+            });
         }
     }
 
     #[inline(always)]
     fn is_done(&self) -> bool {
-        self.members & self.t_min.at_most(self.limit) == 0
+        self.members & W::bits(self.rays.t_min.at_most(self.limit)) == 0
     }
 
     #[inline(always)]
@@ -365,7 +333,7 @@ where
         let is_few = self.who.count_ones() <= FEW;
         if is_few {
             let who = self.who;
-            self.for_each(who, |lane, stack, steps| {
+            self.for_each(who, |_, lane, stack, steps| {
                 go_alone(stack, nodes, triangles, cursor, lane, steps);
             });
         }

@@ -14,7 +14,7 @@ pub use one_register::Numbers;
 #[cfg(target_feature = "avx")]
 mod one_register {
     use slimbvh_core::lanes::{Lanes, Wide};
-    use std::ops::{Add, Mul, Neg, Sub};
+    use std::ops::{Add, Div, Mul, Neg, Sub};
     use wide::f32x8;
 
     /// Eight numbers, in one register.
@@ -25,6 +25,13 @@ mod one_register {
         #[inline(always)]
         fn from(numbers: [f32; 8]) -> Self {
             Self(f32x8::new(numbers))
+        }
+    }
+
+    impl From<Numbers> for [f32; 8] {
+        #[inline(always)]
+        fn from(numbers: Numbers) -> Self {
+            numbers.0.to_array()
         }
     }
 
@@ -55,6 +62,15 @@ mod one_register {
         }
     }
 
+    impl Div for Numbers {
+        type Output = Self;
+
+        #[inline(always)]
+        fn div(self, other: Self) -> Self {
+            Self(self.0 / other.0)
+        }
+    }
+
     impl Neg for Numbers {
         type Output = Self;
 
@@ -65,21 +81,7 @@ mod one_register {
     }
 
     impl Lanes for Numbers {
-        type Mask = u32;
-
-        #[inline(always)]
-        fn at_most(self, other: Self) -> u32 {
-            self.0.simd_le(other.0).to_bitmask()
-        }
-
-        #[inline(always)]
-        fn at_least(self, other: Self) -> u32 {
-            self.0.simd_ge(other.0).to_bitmask()
-        }
-    }
-
-    impl Wide for Numbers {
-        const ZERO: Self = Self(f32x8::ZERO);
+        type Mask = f32x8;
 
         #[inline(always)]
         fn splat(x: f32) -> Self {
@@ -94,6 +96,40 @@ mod one_register {
         #[inline(always)]
         fn max(self, other: Self) -> Self {
             Self(self.0.fast_max(other.0))
+        }
+
+        #[inline(always)]
+        fn abs(self) -> Self {
+            Self(self.0.abs())
+        }
+
+        #[inline(always)]
+        fn at_most(self, other: Self) -> f32x8 {
+            self.0.simd_le(other.0)
+        }
+
+        #[inline(always)]
+        fn at_least(self, other: Self) -> f32x8 {
+            self.0.simd_ge(other.0)
+        }
+
+        #[inline(always)]
+        fn select(mask: f32x8, yes: Self, no: Self) -> Self {
+            Self(mask.select(yes.0, no.0))
+        }
+
+        #[inline(always)]
+        fn any(mask: f32x8) -> bool {
+            mask.any()
+        }
+    }
+
+    impl Wide for Numbers {
+        const ZERO: Self = Self(f32x8::ZERO);
+
+        #[inline(always)]
+        fn bits(mask: f32x8) -> u32 {
+            mask.to_bitmask()
         }
     }
 }
