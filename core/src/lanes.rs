@@ -99,6 +99,10 @@ pub trait Wide: Lanes {
     /// Zero in all lanes.
     const ZERO: Self;
 
+    /// The largest power of two that is no larger, of normal numbers above 0.
+    #[must_use]
+    fn power_below(self) -> Self;
+
     /// A bit for each lane, the first lane's lowest.
     fn bits(mask: Self::Mask) -> u32;
 }
@@ -254,6 +258,12 @@ impl Lanes for Eight {
 
 impl Wide for Eight {
     const ZERO: Self = Self(Vec4::ZERO, Vec4::ZERO);
+
+    #[inline(always)]
+    fn power_below(self) -> Self {
+        let below = |x: f32| f32::from_bits(x.to_bits() & float::INFINITY_BITS);
+        <[f32; 8]>::from(self).map(below).into()
+    }
 
     #[inline(always)]
     fn bits(mask: EightMask) -> u32 {

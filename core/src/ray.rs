@@ -4,6 +4,7 @@ use crate::float::{
     INFINITY_BITS, PowerOfTwo, abs, exponent, magnitude_bits, max, power_of_two,
     scale_by_power_of_two, scale_to_normal,
 };
+use crate::lanes::Lanes;
 use crate::slab::{PlanePair, Planes};
 use bytemuck::{Pod, Zeroable};
 
@@ -118,6 +119,19 @@ pub struct PreparedRay {
 }
 
 impl PreparedRay {
+    /// Hits nothing.
+    #[cfg(not(target_arch = "spirv"))]
+    pub(crate) const NOTHING: Self = Self {
+        axes: [0, 1, 2],
+        origin: [0.0; 3],
+        direction: [0.0; 3],
+        plane_origins: [PlanePair::ZERO; 3],
+        inverse: [0.0; 3],
+        t_min: 1.0,
+        t_max: 0.0,
+        t_exponent: 0,
+    };
+
     /// Carries a ray to the magnitude of a scene whose coordinates were multiplied by `2^scene_exponent`. By powers of
     /// two only: exact in the normal range. A ray with a NaN or infinite number in it (an infinite `t_max` aside), with a zero direction or an
     /// origin beyond [`FARTHEST_ORIGIN`] hits nothing.
@@ -160,9 +174,11 @@ impl PreparedRay {
 
         let to_scene = PowerOfTwo::new(scene_exponent);
         let to_unit = PowerOfTwo::new(-direction_exponent);
-        let a = Axis::new(ray, first, &to_scene, &to_unit);
-        let b = Axis::new(ray, second, &to_scene, &to_unit);
-        let c = Axis::new(ray, last, &to_scene, &to_unit);
+        let axis = |axis: u32| {
+            let origin = to_scene.times(pick(ray.origin, axis));
+            Axis::new(origin, to_unit.times(pick(ray.direction, axis)))
+        };
+        let (a, b, c) = (axis(first), axis(second), axis(last));
         let farthest = max(max(abs(a.origin), abs(b.origin)), abs(c.origin));
 
         let t_exponent = scene_exponent + direction_exponent;
@@ -202,14 +218,20 @@ impl PreparedRay {
     #[inline]
     #[must_use]
     pub fn restore(&self, hit: Hit) -> Hit {
-        if hit.is_hit() {
-            Hit {
-                t: clamp_t(scale_by_power_of_two(hit.t, -self.t_exponent)),
-                ..hit
-            }
-        } else {
-            Hit::MISS
+        restore(hit, self.t_exponent)
+    }
+}
+
+/// A hit's t in the caller's unit: `t = t_prepared · 2^-t_exponent`.
+#[inline]
+pub(crate) fn restore(hit: Hit, t_exponent: i32) -> Hit {
+    if hit.is_hit() {
+        Hit {
+            t: clamp_t(scale_by_power_of_two(hit.t, -t_exponent)),
+            ..hit
         }
+    } else {
+        Hit::MISS
     }
 }
 
@@ -233,36 +255,32 @@ fn clamp_t(t: f32) -> f32 {
     }
 }
 
-/// One axis of a prepared ray.
-struct Axis {
-    origin: f32,
-    direction: f32,
-    plane_origins: PlanePair,
-    inverse: f32,
+/// One axis of prepared rays.
+pub(crate) struct Axis<P: Planes> {
+    pub origin: P::Numbers,
+    pub direction: P::Numbers,
+    pub plane_origins: P,
+    pub inverse: P::Numbers,
 }
 
-impl Axis {
+impl<P: Planes<Numbers = L>, L: Lanes> Axis<P> {
+    /// In the scene's magnitude, and in that of directions.
     #[inline(always)]
-    fn new(ray: &Ray, axis: u32, to_scene: &PowerOfTwo, to_unit: &PowerOfTwo) -> Self {
-        let origin = to_scene.times(pick(ray.origin, axis));
-        let direction = to_unit.times(pick(ray.direction, axis));
-        let is_parallel = abs(direction) < PARALLEL;
+    pub fn new(origin: L, direction: L) -> Self {
+        let zero = L::splat(0.0);
+        let is_slanted = direction.abs().at_least(L::splat(PARALLEL));
         // At least one step of the float grid to both sides.
-        let shift = if is_parallel {
-            max(abs(origin) * power_of_two(-23), PARALLEL_SHIFT)
-        } else {
-            0.0
-        };
-        let (low, high) = (origin + shift, origin - shift);
+        let step = origin.abs() * L::splat(power_of_two(-23));
+        let shift = L::select(is_slanted, zero, step.max(L::splat(PARALLEL_SHIFT)));
         Self {
             origin,
-            direction: if is_parallel { 0.0 } else { direction },
-            plane_origins: PlanePair::new(low, low, high, high),
-            inverse: if is_parallel {
-                PARALLEL_INVERSE
-            } else {
-                1.0 / direction
-            },
+            direction: L::select(is_slanted, direction, zero),
+            plane_origins: P::new(origin + shift, origin - shift),
+            inverse: L::select(
+                is_slanted,
+                L::splat(1.0) / direction,
+                L::splat(PARALLEL_INVERSE),
+            ),
         }
     }
 }

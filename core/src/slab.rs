@@ -28,8 +28,8 @@ pub trait Planes: Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = 
     /// A number for each ray.
     type Numbers: Lanes;
 
-    /// The planes of one box for all rays, which stands in for both where there are two.
-    fn of_box(low: f32, high: f32) -> Self;
+    /// One box for each ray, in the place of both where there are two.
+    fn new(low: Self::Numbers, high: Self::Numbers) -> Self;
 
     /// For the plane at the smaller coordinate, of the first box where there are two.
     fn low(self) -> Self::Numbers;
@@ -54,7 +54,7 @@ impl Planes for PlanePair {
     type Numbers = f32;
 
     #[inline(always)]
-    fn of_box(low: f32, high: f32) -> Self {
+    fn new(low: f32, high: f32) -> Self {
         Self::new(low, low, high, high)
     }
 
@@ -147,11 +147,8 @@ impl<W: Wide> Planes for BoxSpan<W> {
     type Numbers = W;
 
     #[inline(always)]
-    fn of_box(low: f32, high: f32) -> Self {
-        Self {
-            low: W::splat(low),
-            high: W::splat(high),
-        }
+    fn new(low: W, high: W) -> Self {
+        Self { low, high }
     }
 
     #[inline(always)]

@@ -8,6 +8,8 @@ use query::{Query, Single};
 mod collect;
 #[cfg(not(target_arch = "spirv"))]
 mod packet;
+#[cfg(not(target_arch = "spirv"))]
+mod prepare;
 mod query;
 mod sources;
 mod stack;
@@ -15,6 +17,8 @@ mod stack;
 pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, NearestHits};
 #[cfg(not(target_arch = "spirv"))]
 pub use packet::{Lane, PacketStacks, trace_alone, trace_packet};
+#[cfg(not(target_arch = "spirv"))]
+pub use prepare::PreparedRays;
 pub use sources::{BruteForce, LeafTriangles, PlainNodes};
 pub use stack::{BoxColumns, Column, Cursor, STACK_SIZE, Stack};
 

@@ -257,7 +257,8 @@ fn size(v: Vec3) -> f32 {
 /// The planes around three coordinates.
 #[inline(always)]
 fn span<P: Planes>(a: f32, b: f32, c: f32) -> P {
-    P::of_box(min(min(a, b), c), max(max(a, b), c))
+    let (low, high) = (min(min(a, b), c), max(max(a, b), c));
+    P::new(P::Numbers::splat(low), P::Numbers::splat(high))
 }
 
 /// Keeps barycentric coordinates of a hit in range: rounding may leave u + v a little above 1.

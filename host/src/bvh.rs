@@ -45,7 +45,7 @@ impl Bvh {
     pub fn closest_hit(&self, ray: &Ray) -> Hit {
         let prepared = PreparedRay::new(ray, self.scene_exponent);
         if let Some(coded) = &self.coded {
-            let hit = self.trace_coded(coded, prepared, ClosestOrAny::closest(prepared.t_max));
+            let hit = self.trace_coded(coded, &prepared, ClosestOrAny::closest(prepared.t_max));
             return prepared.restore(hit);
         }
         let mut collector = ClosestHit::new(prepared.t_max);
@@ -60,7 +60,7 @@ impl Bvh {
         let prepared = PreparedRay::new(ray, self.scene_exponent);
         if let Some(coded) = &self.coded {
             let collector = ClosestOrAny::any(prepared.t_max);
-            return self.trace_coded(coded, prepared, collector).is_hit();
+            return self.trace_coded(coded, &prepared, collector).is_hit();
         }
         let mut collector = AnyHit::new(prepared.t_max);
         self.trace_plain(&prepared, &mut collector);
@@ -86,14 +86,13 @@ impl Bvh {
         collector.hits.map(|hit| prepared.restore(hit))
     }
 
-    fn trace_coded(&self, coded: &Coded, ray: PreparedRay, collector: ClosestOrAny) -> Hit {
+    fn trace_coded(&self, coded: &Coded, ray: &PreparedRay, collector: ClosestOrAny) -> Hit {
         let all = facing(None);
         let mut lane = Lane {
-            ray,
             rule: ButOne::new(&all, NO_PRIMITIVE),
             collector,
         };
-        with_stacks(|stacks| coded.walk(&self.triangles, Alone(&mut lane), stacks));
+        with_stacks(|stacks| coded.walk(&self.triangles, Alone(ray, &mut lane), stacks));
         lane.collector.closest.hit
     }
 

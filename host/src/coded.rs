@@ -1,7 +1,7 @@
 //! Nodes and triangles in codecs, and traversal of them.
 
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
-use crate::cpu::lanes::Numbers;
+use crate::cpu::lanes::{LANES, Numbers};
 use crate::cpu::packets::{AskedPacket, ButOne};
 use slimbvh_core::encode::{
     LatticeCursor, LatticeNodes, LatticeTriangles, PrintedBox, PrintedCursor, PrintedNode,
@@ -11,8 +11,8 @@ use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    ClosestOrAny, Collector, Lane, LeafTriangles, NodeSource, PacketStacks, TriangleSource,
-    trace_alone, trace_packet, traverse_with,
+    ClosestOrAny, Collector, Lane, LeafTriangles, NodeSource, PacketStacks, PreparedRays,
+    TriangleSource, trace_alone, trace_packet, traverse_with,
 };
 use slimbvh_core::{LeafTriangle, NodeRef};
 use std::cell::RefCell;
@@ -191,7 +191,10 @@ pub trait Errand {
 }
 
 /// The closest hit of one ray, or any, as its collector wants.
-pub struct Alone<'a, 'b>(pub &'a mut Lane<ButOne<'b>, ClosestOrAny>);
+pub struct Alone<'a, 'b>(
+    pub &'a PreparedRay,
+    pub &'a mut Lane<ButOne<'b>, ClosestOrAny>,
+);
 
 impl Errand for Alone<'_, '_> {
     #[inline(always)]
@@ -201,12 +204,15 @@ impl Errand for Alone<'_, '_> {
         nodes: &N,
         triangles: &T,
     ) {
-        trace_alone(&mut stacks.alone, nodes, triangles, self.0);
+        trace_alone(&mut stacks.alone, nodes, triangles, self.0, self.1);
     }
 }
 
 /// The same of several rays.
-pub struct Together<'a, 'b>(pub &'a mut AskedPacket<'b>);
+pub struct Together<'a, 'b>(
+    pub &'a mut PreparedRays<Numbers, LANES>,
+    pub &'a mut AskedPacket<'b>,
+);
 
 impl Errand for Together<'_, '_> {
     #[inline(always)]
@@ -216,7 +222,7 @@ impl Errand for Together<'_, '_> {
         nodes: &N,
         triangles: &T,
     ) {
-        trace_packet(stacks, nodes, triangles, self.0);
+        trace_packet(stacks, nodes, triangles, self.0, self.1);
     }
 }
 

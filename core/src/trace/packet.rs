@@ -3,11 +3,12 @@
 //! Each ray's answer is the one that it would find alone, bit for bit: boxes and triangles are tested by the same arithmetic
 //! ([`crate::lanes`]), and no answer depends on which other nodes are opened.
 
+use super::prepare::PreparedRays;
 use super::query::{Opened, Query, Single};
 use super::stack::Enter;
 use super::{Collector, Cursor, NodeSource, Place, Rule, Stack, TriangleSource, walk};
 use crate::lanes::Wide;
-use crate::ray::{Hit, PreparedRay, RayLanes};
+use crate::ray::{Hit, PreparedRay};
 use crate::slab::{BoxSpan, PlanePair, Planes, crossings};
 use crate::watertight::{Meeting, meet};
 use core::array::from_fn;
@@ -15,15 +16,9 @@ use core::array::from_fn;
 /// With no more rays than this below a node, each goes on alone. Measured against 2: ARCHITECTURE.md.
 const FEW: u32 = 1;
 
-/// Rays whose origins or directions are farther from the first one's, on any axis, walk alone. In the scene's magnitude, whose largest
-/// coordinate is at most 1, and in that of directions, whose largest component is at most 2.
-const APART: f32 = 1.0 / 16.0;
-
-/// A ray of a packet.
+/// What a ray of a packet asks.
 #[derive(Clone, Copy, Debug)]
 pub struct Lane<R, C> {
-    /// In the scene's magnitude.
-    pub ray: PreparedRay,
     /// Which triangles count.
     pub rule: R,
     /// What is asked.
@@ -72,6 +67,7 @@ pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
     stacks: &mut PacketStacks<N::Cursor, W>,
     nodes: &N,
     triangles: &T,
+    rays: &mut PreparedRays<W, LANES>,
     packet: &mut [Lane<R, C>; LANES],
 ) where
     N: NodeSource,
@@ -80,55 +76,27 @@ pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
     C: Collector,
     W: Wide + From<[f32; LANES]> + Into<[f32; LANES]>,
 {
-    const { assert!(LANES <= 32, "a mask has 32 bits") };
-    let mut first = None;
-    for lane in packet.iter() {
-        if first.is_none() && lane.ray.t_min <= lane.ray.t_max {
-            first = Some(lane.ray);
-        }
-    }
-    let Some(first) = first else {
-        return;
+    let who = if rays.members.count_ones() <= FEW {
+        0
+    } else {
+        rays.members
     };
-    let of_each = |numbers: fn(&PreparedRay) -> &[f32; 3]| {
-        from_fn(|axis| from_fn(|i| numbers(&packet[i].ray)[axis]).into())
-    };
-    let rays = RayLanes {
-        origin: of_each(|ray| &ray.origin),
-        direction: of_each(|ray| &ray.direction),
-        plane_origins: from_fn(|axis| BoxSpan {
-            low: from_fn(|i| packet[i].ray.plane_origins[axis].x).into(),
-            high: from_fn(|i| packet[i].ray.plane_origins[axis].z).into(),
-        }),
-        inverse: of_each(|ray| &ray.inverse),
-        t_min: from_fn(|i| packet[i].ray.t_min).into(),
-    };
-    let mut who = near(&first.origin, &rays.origin) & near(&first.direction, &rays.direction);
-    for (i, lane) in packet.iter().enumerate() {
-        if lane.ray.axes != first.axes || lane.ray.t_min > lane.ray.t_max {
-            who &= !(1 << i);
-        }
-    }
-    if who.count_ones() <= FEW {
-        who = 0;
-    }
     for (i, lane) in packet.iter_mut().enumerate() {
         if who >> i & 1 == 0 {
-            trace_alone(&mut stacks.alone, nodes, triangles, lane);
+            trace_alone(&mut stacks.alone, nodes, triangles, rays.alone(i), lane);
         }
     }
     if who == 0 {
         return;
     }
-    let limit = limits(packet);
+    let (axes, limit) = (rays.axes, limits(packet));
     let mut steps = nodes.step_limit();
     let mut query = Together {
+        rays,
         packet,
         // In a sound tree each passes every node once at most.
         steps_alone: steps.saturating_mul(LANES as u32),
         alone: &mut stacks.alone,
-        axes: first.axes,
-        rays,
         limit,
         members: who,
         who,
@@ -137,21 +105,10 @@ pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
         &mut stacks.together,
         nodes,
         triangles,
-        nodes.root(first.axes),
+        nodes.root(axes),
         &mut query,
         &mut steps,
     );
-}
-
-/// Which lanes are so near to a vector, on all axes, that they are expected to pass the same nodes.
-#[inline(always)]
-fn near<W: Wide>(vector: &[f32; 3], lanes: &[W; 3]) -> u32 {
-    let mut who = u32::MAX;
-    for axis in 0..3 {
-        let off = lanes[axis] - W::splat(vector[axis]);
-        who &= W::bits(off.abs().at_most(W::splat(APART)));
-    }
-    who
 }
 
 /// [`super::traverse_with`] of one ray, never part of its caller.
@@ -160,10 +117,18 @@ pub fn trace_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Colle
     stack: &mut Stack<N::Cursor>,
     nodes: &N,
     triangles: &T,
+    ray: &PreparedRay,
     lane: &mut Lane<R, C>,
 ) {
-    let root = nodes.root(lane.ray.axes);
-    go_alone(stack, nodes, triangles, root, lane, &mut nodes.step_limit());
+    let mut steps = nodes.step_limit();
+    go_alone(
+        stack,
+        nodes,
+        triangles,
+        nodes.root(ray.axes),
+        (ray, lane),
+        &mut steps,
+    );
 }
 
 /// Walks the tree below a node with one ray.
@@ -173,11 +138,11 @@ fn go_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
     nodes: &N,
     triangles: &T,
     root: N::Cursor,
-    lane: &mut Lane<R, C>,
+    (ray, lane): (&PreparedRay, &mut Lane<R, C>),
     steps: &mut u32,
 ) {
     let mut query = Single {
-        ray: &lane.ray,
+        ray,
         rule: &lane.rule,
         collector: &mut lane.collector,
     };
@@ -186,8 +151,12 @@ fn go_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
 
 /// Offers a hit, if it counts: never part of the walk.
 #[inline(never)]
-fn offer<R: Rule, C: Collector>(lane: &mut Lane<R, C>, corners: &[[f32; 3]; 3], hit: Hit) {
-    if lane.rule.counts(hit.primitive, corners, lane.ray.axes) {
+fn offer<R: Rule, C: Collector>(
+    lane: &mut Lane<R, C>,
+    (corners, axes): (&[[f32; 3]; 3], [u32; 3]),
+    hit: Hit,
+) {
+    if lane.rule.counts(hit.primitive, corners, axes) {
         lane.collector.offer(hit);
     }
 }
@@ -209,18 +178,27 @@ impl<W: Wide> Enter for Entries<W> {
 
 /// Rays whose axes have the same order.
 struct Together<'a, R, C, U: Cursor, W: Wide, const LANES: usize> {
+    rays: &'a mut PreparedRays<W, LANES>,
     packet: &'a mut [Lane<R, C>; LANES],
     alone: &'a mut Stack<U>,
     /// What is left of the steps of all rays that go on alone.
     steps_alone: u32,
-    axes: [u32; 3],
-    rays: RayLanes<BoxSpan<W>>,
     /// Below everything for rays that want nothing more.
     limit: W,
     /// A bit for each ray that walks along.
     members: u32,
     /// Those that meet the node that is walked to.
     who: u32,
+}
+
+/// The numbers of the bits in a mask.
+#[inline(always)]
+fn each_of(mut who: u32) -> impl Iterator<Item = usize> {
+    core::iter::from_fn(move || {
+        let next = (who != 0).then(|| who.trailing_zeros() as usize);
+        who &= who.wrapping_sub(1);
+        next
+    })
 }
 
 impl<R, C, U, W, const LANES: usize> Together<'_, R, C, U, W, LANES>
@@ -231,30 +209,13 @@ where
 {
     #[inline(always)]
     fn meet(&self, low: [f32; 3], high: [f32; 3]) -> Entries<W> {
-        let [x, y, z] = from_fn(|axis| BoxSpan::of_box(low[axis], high[axis]));
-        let crossing = crossings([x, y, z], self.rays.plane_origins, self.rays.inverse);
-        let enter = crossing.enter.low.max(self.rays.t_min);
+        let rays = &self.rays.lanes;
+        let planes = from_fn(|i| BoxSpan::new(W::splat(low[i]), W::splat(high[i])));
+        let crossing = crossings(planes, rays.plane_origins, rays.inverse);
+        let enter = crossing.enter.low.max(rays.t_min);
         let meets = enter.at_most(crossing.padded_exit.low.min(self.limit));
         let who = self.who & W::bits(meets);
         Entries { enter, who }
-    }
-
-    /// Calls for each of these rays.
-    #[inline(always)]
-    fn for_each(
-        &mut self,
-        who: u32,
-        mut call: impl FnMut(usize, &mut Lane<R, C>, &mut Stack<U>, &mut u32),
-    ) {
-        let mut left = who;
-        while left != 0 {
-            let next = left.trailing_zeros() as usize;
-            left &= left - 1;
-            if let Some(lane) = self.packet.get_mut(next) {
-                call(next, lane, self.alone, &mut self.steps_alone);
-            }
-        }
-        self.limit = limits(self.packet);
     }
 }
 
@@ -270,7 +231,7 @@ where
 
     #[inline(always)]
     fn axes(&self) -> [u32; 3] {
-        self.axes
+        self.rays.axes
     }
 
     #[inline(always)]
@@ -309,33 +270,49 @@ where
 
     #[inline(always)]
     fn test(&mut self, triangles: &T, place: &Place<N::Frame>) {
-        let corners = triangles.corners(place, self.axes);
-        let Meeting { t, u, v, met } = meet(&self.rays, &corners, self.limit);
+        let axes = self.rays.axes;
+        let corners = triangles.corners(place, axes);
+        let Meeting { t, u, v, met } = meet(&self.rays.lanes, &corners, self.limit);
         let who = self.who & W::bits(met);
         if who != 0 {
             let primitive = triangles.primitive(place);
             let (t, u, v): ([f32; LANES], [f32; LANES], [f32; LANES]) =
                 (t.into(), u.into(), v.into());
-            self.for_each(who, |i, lane, _, _| {
+            for i in each_of(who) {
+                let i = i % LANES;
                 let (t, u, v) = (t[i], u[i], v[i]);
-                offer(lane, &corners, Hit { t, u, v, primitive });
-            });
+                offer(
+                    &mut self.packet[i],
+                    (&corners, axes),
+                    Hit { t, u, v, primitive },
+                );
+            }
+            self.limit = limits(self.packet);
         }
     }
 
     #[inline(always)]
     fn is_done(&self) -> bool {
-        self.members & W::bits(self.rays.t_min.at_most(self.limit)) == 0
+        self.members & W::bits(self.rays.lanes.t_min.at_most(self.limit)) == 0
     }
 
     #[inline(always)]
     fn divide(&mut self, nodes: &N, triangles: &T, cursor: N::Cursor) -> bool {
         let is_few = self.who.count_ones() <= FEW;
         if is_few {
-            let who = self.who;
-            self.for_each(who, |_, lane, stack, steps| {
-                go_alone(stack, nodes, triangles, cursor, lane, steps);
-            });
+            for i in each_of(self.who) {
+                let i = i % LANES;
+                let ray = (self.rays.alone(i), &mut self.packet[i]);
+                go_alone(
+                    self.alone,
+                    nodes,
+                    triangles,
+                    cursor,
+                    ray,
+                    &mut self.steps_alone,
+                );
+            }
+            self.limit = limits(self.packet);
         }
         is_few
     }

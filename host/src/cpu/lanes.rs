@@ -128,6 +128,11 @@ mod one_register {
         const ZERO: Self = Self(f32x8::ZERO);
 
         #[inline(always)]
+        fn power_below(self) -> Self {
+            Self(self.0 & f32x8::splat(f32::INFINITY))
+        }
+
+        #[inline(always)]
         fn bits(mask: f32x8) -> u32 {
             mask.to_bitmask()
         }

@@ -3,12 +3,12 @@
 use crate::Bvh;
 use crate::bvh::facing;
 use crate::coded::{Together, with_stacks};
-use crate::cpu::lanes::LANES;
+use crate::cpu::lanes::{LANES, Numbers};
 use rayon::prelude::*;
 use slimbvh_core::classify::{Except, Facing, Sides};
 use slimbvh_core::orientation::Target;
-use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
-use slimbvh_core::trace::{ClosestOrAny, Lane, Rule, trace_packet};
+use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
+use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays, Rule, trace_packet};
 
 /// Which triangles count for a ray: those that count for all, but one.
 #[derive(Clone, Copy, Debug)]
@@ -107,44 +107,44 @@ impl Bvh {
         mut answer: impl FnMut(usize, Hit),
     ) {
         let rule = facing(all.target);
-        let nothing = PreparedRay::new(&Ray::NOTHING, 0);
         let nothing = Lane {
-            ray: nothing,
             rule: ButOne::new(&rule, NO_PRIMITIVE),
-            collector: ClosestOrAny::closest(nothing.t_max),
+            collector: ClosestOrAny::any(0.0),
         };
         let mut packet = [nothing; LANES];
         let mut numbers = [0; LANES];
         let mut rays = rays.peekable();
         while rays.peek().is_some() {
+            let mut asked = [Ray::NOTHING; LANES];
             let mut count = 0;
-            for (to, number) in packet.iter_mut().zip(&mut numbers) {
-                if let Some((own, ray, skip)) = rays.next() {
-                    to.ray = PreparedRay::new(&ray, all.exponent);
-                    to.rule.one = Except(skip);
-                    to.collector = match all.question {
-                        Question::Closest => ClosestOrAny::closest(to.ray.t_max),
-                        Question::Any => ClosestOrAny::any(to.ray.t_max),
-                    };
-                    *number = own;
-                    count += 1;
-                } else {
-                    *to = nothing;
-                }
+            for (i, (number, ray, skip)) in rays.by_ref().take(LANES).enumerate() {
+                asked[i] = ray;
+                packet[i].rule.one = Except(skip);
+                numbers[i] = number;
+                count += 1;
             }
-            self.trace(&mut packet);
-            for (lane, number) in packet.iter().zip(numbers).take(count) {
-                answer(number, lane.ray.restore(lane.collector.closest.hit));
+            let mut prepared = PreparedRays::new(&asked, all.exponent);
+            for (lane, t_max) in packet.iter_mut().zip(prepared.t_max()) {
+                lane.collector = match all.question {
+                    Question::Closest => ClosestOrAny::closest(t_max),
+                    Question::Any => ClosestOrAny::any(t_max),
+                };
+            }
+            self.trace(&mut prepared, &mut packet);
+            let hits = packet.map(|lane| lane.collector.closest.hit);
+            let hits = prepared.restore(hits);
+            for (hit, number) in hits.into_iter().zip(numbers).take(count) {
+                answer(number, hit);
             }
         }
     }
 
-    fn trace(&self, packet: &mut AskedPacket) {
+    fn trace(&self, rays: &mut PreparedRays<Numbers, LANES>, packet: &mut AskedPacket) {
         with_stacks(|stacks| match &self.coded {
-            Some(coded) => coded.walk(&self.triangles, Together(packet), stacks),
+            Some(coded) => coded.walk(&self.triangles, Together(rays, packet), stacks),
             None => {
                 let (nodes, triangles) = (self.node_source(), self.triangle_source());
-                trace_packet(&mut stacks.plain, &nodes, &triangles, packet);
+                trace_packet(&mut stacks.plain, &nodes, &triangles, rays, packet);
             }
         });
     }
