@@ -1,6 +1,7 @@
 //! Numbers of one ray, or of several at once: the same arithmetic either way.
 
 use crate::float;
+use core::array::from_fn;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use glam::{BVec4A, Vec4};
 
@@ -13,6 +14,9 @@ pub trait Lanes:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// Zero in all lanes.
+    const ZERO: Self;
+
     /// A yes or no for each lane.
     type Mask: Copy
         + BitAnd<Output = Self::Mask>
@@ -48,6 +52,8 @@ pub trait Lanes:
 }
 
 impl Lanes for f32 {
+    const ZERO: Self = 0.0;
+
     type Mask = bool;
 
     #[inline(always)]
@@ -95,9 +101,18 @@ impl Lanes for f32 {
 ///
 /// Each lane computes what `f32` does, to the bit, but for `min` and `max` of what is no number. [`Eight`] does so
 /// everywhere; hosts have types of their own where a processor has wider registers.
-pub trait Wide: Lanes {
-    /// Zero in all lanes.
-    const ZERO: Self;
+pub trait Wide<const LANES: usize>: Lanes {
+    /// A number for each lane.
+    fn from_array(numbers: [f32; LANES]) -> Self;
+
+    /// The number of each lane.
+    fn to_array(self) -> [f32; LANES];
+
+    /// Of a row of numbers for each lane: what stands first in all rows, and so on.
+    #[inline(always)]
+    fn columns(rows: [[f32; 8]; LANES]) -> [Self; 8] {
+        from_fn(|column| Self::from_array(from_fn(|lane| rows[lane][column])))
+    }
 
     /// The largest power of two that is no larger, of normal numbers above 0.
     #[must_use]
@@ -119,21 +134,6 @@ impl Eight {
     #[inline(always)]
     fn each(self, other: Self, of: impl Fn(Vec4, Vec4) -> Vec4) -> Self {
         Self(of(self.0, other.0), of(self.1, other.1))
-    }
-}
-
-impl From<[f32; 8]> for Eight {
-    #[inline(always)]
-    fn from([a, b, c, d, e, f, g, h]: [f32; 8]) -> Self {
-        Self(Vec4::new(a, b, c, d), Vec4::new(e, f, g, h))
-    }
-}
-
-impl From<Eight> for [f32; 8] {
-    #[inline(always)]
-    fn from(Eight(low, high): Eight) -> Self {
-        let ([a, b, c, d], [e, f, g, h]) = (low.to_array(), high.to_array());
-        [a, b, c, d, e, f, g, h]
     }
 }
 
@@ -210,6 +210,8 @@ impl Not for EightMask {
 }
 
 impl Lanes for Eight {
+    const ZERO: Self = Self(Vec4::ZERO, Vec4::ZERO);
+
     type Mask = EightMask;
 
     #[inline(always)]
@@ -256,13 +258,22 @@ impl Lanes for Eight {
     }
 }
 
-impl Wide for Eight {
-    const ZERO: Self = Self(Vec4::ZERO, Vec4::ZERO);
+impl Wide<8> for Eight {
+    #[inline(always)]
+    fn from_array([a, b, c, d, e, f, g, h]: [f32; 8]) -> Self {
+        Self(Vec4::new(a, b, c, d), Vec4::new(e, f, g, h))
+    }
+
+    #[inline(always)]
+    fn to_array(self) -> [f32; 8] {
+        let ([a, b, c, d], [e, f, g, h]) = (self.0.to_array(), self.1.to_array());
+        [a, b, c, d, e, f, g, h]
+    }
 
     #[inline(always)]
     fn power_below(self) -> Self {
         let below = |x: f32| f32::from_bits(x.to_bits() & float::INFINITY_BITS);
-        <[f32; 8]>::from(self).map(below).into()
+        Self::from_array(self.to_array().map(below))
     }
 
     #[inline(always)]
@@ -296,8 +307,8 @@ mod tests {
     proptest! {
         #[test]
         fn each_lane_computes_as_one_number(a in proptest::array::uniform8(number()), b in proptest::array::uniform8(number())) {
-            let (x, y) = (Eight::from(a), Eight::from(b));
-            let lane = |wide: Eight, i: usize| <[f32; 8]>::from(wide)[i];
+            let (x, y) = (Eight::from_array(a), Eight::from_array(b));
+            let lane = |wide: Eight, i: usize| wide.to_array()[i];
             for i in 0..8 {
                 let (a, b) = (a[i], b[i]);
                 for (found, expected) in [(x + y, a + b), (x - y, a - b), (x * y, a * b), (x / y, a / b), (-x, -a), (x.abs(), a.abs())] {

@@ -223,7 +223,7 @@ impl PreparedRay {
 }
 
 /// A hit's t in the caller's unit: `t = t_prepared · 2^-t_exponent`.
-#[inline]
+#[inline(always)]
 pub(crate) fn restore(hit: Hit, t_exponent: i32) -> Hit {
     if hit.is_hit() {
         Hit {

@@ -12,7 +12,7 @@
 //! that pass an edge of a box much longer than their way to it.
 
 use crate::float::gamma;
-use crate::lanes::{Lanes, Wide};
+use crate::lanes::Lanes;
 use crate::ray::PreparedRay;
 use core::ops::{Add, Neg, Sub};
 use glam::{Vec4, Vec4Swizzles};
@@ -98,7 +98,7 @@ pub struct BoxSpan<W> {
     pub high: W,
 }
 
-impl<W: Wide> BoxSpan<W> {
+impl<W: Lanes> BoxSpan<W> {
     #[inline(always)]
     fn each(self, of: impl Fn(W) -> W) -> Self {
         Self {
@@ -116,7 +116,7 @@ impl<W: Wide> BoxSpan<W> {
     }
 }
 
-impl<W: Wide> Add for BoxSpan<W> {
+impl<W: Lanes> Add for BoxSpan<W> {
     type Output = Self;
 
     #[inline(always)]
@@ -125,7 +125,7 @@ impl<W: Wide> Add for BoxSpan<W> {
     }
 }
 
-impl<W: Wide> Sub for BoxSpan<W> {
+impl<W: Lanes> Sub for BoxSpan<W> {
     type Output = Self;
 
     #[inline(always)]
@@ -134,7 +134,7 @@ impl<W: Wide> Sub for BoxSpan<W> {
     }
 }
 
-impl<W: Wide> Neg for BoxSpan<W> {
+impl<W: Lanes> Neg for BoxSpan<W> {
     type Output = Self;
 
     #[inline(always)]
@@ -143,7 +143,7 @@ impl<W: Wide> Neg for BoxSpan<W> {
     }
 }
 
-impl<W: Wide> Planes for BoxSpan<W> {
+impl<W: Lanes> Planes for BoxSpan<W> {
     type Numbers = W;
 
     #[inline(always)]

@@ -4,7 +4,7 @@ use crate::ray::Hit;
 
 /// Gathers hits, and says how far away a hit still matters.
 pub trait Collector {
-    /// The largest t, in prepared units, at which a hit may still change the answer.
+    /// The largest t, in prepared units, at which a hit may still change the answer: minus infinity where none can.
     fn limit(&self) -> f32;
 
     /// Takes a hit with `t <= limit`.
@@ -99,6 +99,9 @@ impl Collector for ClosestOrAny {
     #[inline(always)]
     fn offer(&mut self, hit: Hit) {
         self.closest.offer(hit);
+        if self.any_will_do {
+            self.closest.limit = f32::NEG_INFINITY;
+        }
     }
 
     #[inline(always)]
@@ -136,6 +139,7 @@ impl Collector for AnyHit {
     #[inline(always)]
     fn offer(&mut self, _hit: Hit) {
         self.found = true;
+        self.limit = f32::NEG_INFINITY;
     }
 
     #[inline(always)]

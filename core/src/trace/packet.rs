@@ -7,7 +7,7 @@ use super::prepare::PreparedRays;
 use super::query::{Opened, Query, Single};
 use super::stack::Enter;
 use super::{Collector, Cursor, NodeSource, Place, Rule, Stack, TriangleSource, walk};
-use crate::lanes::Wide;
+use crate::lanes::{Lanes, Wide};
 use crate::ray::{Hit, PreparedRay};
 use crate::slab::{BoxSpan, PlanePair, Planes, crossings};
 use crate::watertight::{Meeting, meet};
@@ -25,35 +25,21 @@ pub struct Lane<R, C> {
     pub collector: C,
 }
 
-impl<R, C: Collector> Lane<R, C> {
-    /// The limit, below everything where nothing is left to ask.
-    #[inline(always)]
-    fn limit(&self) -> f32 {
-        if self.collector.is_done() {
-            f32::NEG_INFINITY
-        } else {
-            self.collector.limit()
-        }
-    }
-}
-
 /// The limits of all lanes.
 #[inline(always)]
-fn limits<W: From<[f32; LANES]>, R, C: Collector, const LANES: usize>(
-    packet: &[Lane<R, C>; LANES],
-) -> W {
-    from_fn(|i| packet[i].limit()).into()
+fn limits<W: Wide<LANES>, R, C: Collector, const LANES: usize>(packet: &[Lane<R, C>; LANES]) -> W {
+    W::from_array(from_fn(|i| packet[i].collector.limit()))
 }
 
 /// Memory for a packet, and for rays that leave it. It need not be cleared in between.
 #[derive(Clone, Copy)]
-pub struct PacketStacks<C: Cursor, W: Wide> {
+pub struct PacketStacks<C: Cursor, W: Lanes> {
     together: Stack<C, Entries<W>>,
     /// For one ray.
     pub alone: Stack<C>,
 }
 
-impl<C: Cursor, W: Wide> PacketStacks<C, W> {
+impl<C: Cursor, W: Lanes> PacketStacks<C, W> {
     /// Nothing waits.
     pub const EMPTY: Self = Self {
         together: Stack::EMPTY,
@@ -74,7 +60,7 @@ pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
     T: TriangleSource<N::Frame>,
     R: Rule,
     C: Collector,
-    W: Wide + From<[f32; LANES]> + Into<[f32; LANES]>,
+    W: Wide<LANES>,
 {
     let who = if rays.members.count_ones() <= FEW {
         0
@@ -169,7 +155,7 @@ pub struct Entries<W> {
     who: u32,
 }
 
-impl<W: Wide> Enter for Entries<W> {
+impl<W: Lanes> Enter for Entries<W> {
     const ZERO: Self = Self {
         enter: W::ZERO,
         who: 0,
@@ -177,7 +163,7 @@ impl<W: Wide> Enter for Entries<W> {
 }
 
 /// Rays whose axes have the same order.
-struct Together<'a, R, C, U: Cursor, W: Wide, const LANES: usize> {
+struct Together<'a, R, C, U: Cursor, W: Wide<LANES>, const LANES: usize> {
     rays: &'a mut PreparedRays<W, LANES>,
     packet: &'a mut [Lane<R, C>; LANES],
     alone: &'a mut Stack<U>,
@@ -205,7 +191,7 @@ impl<R, C, U, W, const LANES: usize> Together<'_, R, C, U, W, LANES>
 where
     C: Collector,
     U: Cursor,
-    W: Wide + From<[f32; LANES]> + Into<[f32; LANES]>,
+    W: Wide<LANES>,
 {
     #[inline(always)]
     fn meet(&self, low: [f32; 3], high: [f32; 3]) -> Entries<W> {
@@ -225,7 +211,7 @@ where
     T: TriangleSource<N::Frame>,
     R: Rule,
     C: Collector,
-    W: Wide + From<[f32; LANES]> + Into<[f32; LANES]>,
+    W: Wide<LANES>,
 {
     type Enter = Entries<W>;
 
@@ -276,8 +262,7 @@ where
         let who = self.who & W::bits(met);
         if who != 0 {
             let primitive = triangles.primitive(place);
-            let (t, u, v): ([f32; LANES], [f32; LANES], [f32; LANES]) =
-                (t.into(), u.into(), v.into());
+            let (t, u, v) = (t.to_array(), u.to_array(), v.to_array());
             for i in each_of(who) {
                 let i = i % LANES;
                 let (t, u, v) = (t[i], u[i], v[i]);

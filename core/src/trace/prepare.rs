@@ -1,10 +1,9 @@
 //! Rays of a packet, prepared together: what is ordinary about them at once, each other one alone.
 
 use crate::float::{exponent, power_of_two};
-use crate::lanes::Wide;
+use crate::lanes::{Lanes, Wide};
 use crate::ray::{Axis, FARTHEST_ORIGIN, Hit, PreparedRay, Ray, RayLanes, restore};
 use crate::slab::{BoxSpan, Planes};
-use core::array::from_fn;
 
 /// Rays whose origins or directions are farther from the first one's, on any axis, walk alone. In the scene's magnitude, whose largest
 /// coordinate is at most 1, and in that of directions, whose largest component is at most 2.
@@ -19,7 +18,7 @@ const SMALLEST_SCALED: f32 = power_of_two(-100);
 
 /// Several rays, as the tracer uses them. Each is what [`PreparedRay::new`] makes of it, to the bit.
 #[derive(Clone, Copy)]
-pub struct PreparedRays<W: Wide, const LANES: usize> {
+pub struct PreparedRays<W: Lanes, const LANES: usize> {
     /// The order of axes of those that may walk together.
     pub(super) axes: [u32; 3],
     /// Of those that may walk together.
@@ -33,27 +32,33 @@ pub struct PreparedRays<W: Wide, const LANES: usize> {
     ready: u32,
 }
 
-impl<W, const LANES: usize> PreparedRays<W, LANES>
-where
-    W: Wide + From<[f32; LANES]> + Into<[f32; LANES]>,
-{
-    /// [`PreparedRay::new`] of each.
+impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
+    /// None yet.
+    pub const NOTHING: Self = Self {
+        axes: [0, 1, 2],
+        lanes: RayLanes {
+            origin: [W::ZERO; 3],
+            direction: [W::ZERO; 3],
+            plane_origins: [BoxSpan {
+                low: W::ZERO,
+                high: W::ZERO,
+            }; 3],
+            inverse: [W::ZERO; 3],
+            t_min: W::ZERO,
+        },
+        members: 0,
+        t_max: [0.0; LANES],
+        t_exponent: [0; LANES],
+        alone: [PreparedRay::NOTHING; LANES],
+        ready: 0,
+    };
+
+    /// [`PreparedRay::new`] of each, in the place of those that were here.
     #[inline(always)]
-    #[must_use]
-    pub fn new(rays: &[Ray; LANES], scene_exponent: i32) -> Self {
+    pub fn prepare(&mut self, rays: &[Ray; LANES], scene_exponent: i32) {
         const { assert!(LANES <= 32, "a mask has 32 bits") };
-        let number = |of: fn(&Ray) -> f32| -> W { from_fn(|i| of(&rays[i])).into() };
-        let origin = [
-            number(|ray| ray.origin[0]),
-            number(|ray| ray.origin[1]),
-            number(|ray| ray.origin[2]),
-        ];
-        let direction = [
-            number(|ray| ray.direction[0]),
-            number(|ray| ray.direction[1]),
-            number(|ray| ray.direction[2]),
-        ];
-        let (t_min, t_max) = (number(|ray| ray.t_min), number(|ray| ray.t_max));
+        let [ox, oy, oz, t_min, dx, dy, dz, t_max] = W::columns(rays.map(bytemuck::cast));
+        let (origin, direction) = ([ox, oy, oz], [dx, dy, dz]);
 
         let [dx, dy, dz] = direction.map(W::abs);
         let longest = dx.max(dy).max(dz);
@@ -99,46 +104,49 @@ where
         let axis = |i: usize| Axis::new(origin[i].0, direction[i].0);
         let [a, b, c] = [axis(0), axis(1), axis(2)];
         let (t_min, t_max) = (near_end.0, far_end.0);
-        let unit: [f32; LANES] = unit.into();
-        let mut all = Self {
-            axes: turned([0, 1, 2], last),
-            lanes: RayLanes {
-                origin: [a.origin, b.origin, c.origin],
-                direction: [a.direction, b.direction, c.direction],
-                plane_origins: [a.plane_origins, b.plane_origins, c.plane_origins],
-                inverse: [a.inverse, b.inverse, c.inverse],
-                t_min,
-            },
-            members: alike & near & W::bits(t_min.at_most(t_max)),
-            t_max: t_max.into(),
-            t_exponent: unit.map(|unit| scene_exponent + exponent(unit)),
-            alone: [PreparedRay::NOTHING; LANES],
-            ready: 0,
+        self.axes = turned([0, 1, 2], last);
+        self.lanes = RayLanes {
+            origin: [a.origin, b.origin, c.origin],
+            direction: [a.direction, b.direction, c.direction],
+            plane_origins: [a.plane_origins, b.plane_origins, c.plane_origins],
+            inverse: [a.inverse, b.inverse, c.inverse],
+            t_min,
         };
+        self.members = alike & near & W::bits(t_min.at_most(t_max));
+        self.t_max = t_max.to_array();
+        let unit = unit.to_array();
+        for (to, unit) in self.t_exponent.iter_mut().zip(unit) {
+            *to = scene_exponent + exponent(unit);
+        }
+        self.ready = 0;
         for (i, ray) in rays.iter().enumerate() {
             if alike >> i & 1 == 0 {
-                let ray = PreparedRay::new(ray, scene_exponent);
-                all.t_max[i] = ray.t_max;
-                all.t_exponent[i] = ray.t_exponent;
-                all.alone[i] = ray;
-                all.ready |= 1 << i;
+                self.prepare_alone(i, ray, scene_exponent);
             }
         }
-        all
+    }
+
+    #[inline(never)]
+    fn prepare_alone(&mut self, i: usize, ray: &Ray, scene_exponent: i32) {
+        let (i, ray) = (i % LANES, PreparedRay::new(ray, scene_exponent));
+        self.t_max[i] = ray.t_max;
+        self.t_exponent[i] = ray.t_exponent;
+        self.alone[i] = ray;
+        self.ready |= 1 << i;
     }
 
     /// [`PreparedRay::t_max`] of each.
     #[inline(always)]
     #[must_use]
-    pub fn t_max(&self) -> [f32; LANES] {
-        self.t_max
+    pub fn t_max(&self) -> &[f32; LANES] {
+        &self.t_max
     }
 
-    /// [`PreparedRay::restore`] of a hit for each.
+    /// [`PreparedRay::restore`] of a hit of one of them.
     #[inline(always)]
     #[must_use]
-    pub fn restore(&self, hits: [Hit; LANES]) -> [Hit; LANES] {
-        from_fn(|i| restore(hits[i], self.t_exponent[i]))
+    pub fn restore(&self, i: usize, hit: Hit) -> Hit {
+        restore(hit, self.t_exponent[i % LANES])
     }
 
     /// One of them.
@@ -154,10 +162,7 @@ where
 
     #[inline(never)]
     fn lane(&self, i: usize) -> PreparedRay {
-        let number = |numbers: W| -> f32 {
-            let numbers: [f32; LANES] = numbers.into();
-            numbers[i % LANES]
-        };
+        let number = |numbers: W| numbers.to_array()[i % LANES];
         let RayLanes {
             origin,
             direction,
@@ -181,20 +186,20 @@ where
 
 /// Whether a number of a ray is zero or neither very large nor very small.
 #[inline(always)]
-fn is_ordinary<W: Wide>(x: W) -> W::Mask {
+fn is_ordinary<W: Lanes>(x: W) -> W::Mask {
     let x = x.abs();
     x.at_most(W::splat(LARGEST)) & is_large(x, SMALLEST)
 }
 
 /// Whether a magnitude is zero or at least so large.
 #[inline(always)]
-fn is_large<W: Wide>(x: W, than: f32) -> W::Mask {
+fn is_large<W: Lanes>(x: W, than: f32) -> W::Mask {
     x.at_least(W::splat(than)) | x.at_most(W::splat(0.0))
 }
 
 /// An end of a ray's range times a power of two, the largest number if beyond; and whether it is exact.
 #[inline(always)]
-fn scaled_end<W: Wide>(t: W, factor: W) -> (W, W::Mask) {
+fn scaled_end<W: Lanes>(t: W, factor: W) -> (W, W::Mask) {
     let scaled = t * factor;
     let exact = is_large(t.abs(), SMALLEST) & is_large(scaled.abs(), SMALLEST_SCALED);
     let scaled = scaled.max(W::splat(f32::MIN)).min(W::splat(f32::MAX));
@@ -203,11 +208,10 @@ fn scaled_end<W: Wide>(t: W, factor: W) -> (W, W::Mask) {
 
 /// Which vectors are so near to the first one, on all axes, that their rays are expected to pass the same nodes.
 #[inline(always)]
-fn near<W: Wide + Into<[f32; LANES]>, const LANES: usize>(vectors: [W; 3], first: usize) -> u32 {
+fn near<W: Wide<LANES>, const LANES: usize>(vectors: [W; 3], first: usize) -> u32 {
     let mut near = u32::MAX;
     for numbers in vectors {
-        let all: [f32; LANES] = numbers.into();
-        let off = numbers - W::splat(all[first % LANES]);
+        let off = numbers - W::splat(numbers.to_array()[first % LANES]);
         near &= W::bits(off.abs().at_most(W::splat(APART)));
     }
     near

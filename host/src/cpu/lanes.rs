@@ -21,20 +21,6 @@ mod one_register {
     #[derive(Clone, Copy, Debug)]
     pub struct Numbers(f32x8);
 
-    impl From<[f32; 8]> for Numbers {
-        #[inline(always)]
-        fn from(numbers: [f32; 8]) -> Self {
-            Self(f32x8::new(numbers))
-        }
-    }
-
-    impl From<Numbers> for [f32; 8] {
-        #[inline(always)]
-        fn from(numbers: Numbers) -> Self {
-            numbers.0.to_array()
-        }
-    }
-
     impl Add for Numbers {
         type Output = Self;
 
@@ -81,6 +67,8 @@ mod one_register {
     }
 
     impl Lanes for Numbers {
+        const ZERO: Self = Self(f32x8::ZERO);
+
         type Mask = f32x8;
 
         #[inline(always)]
@@ -124,8 +112,21 @@ mod one_register {
         }
     }
 
-    impl Wide for Numbers {
-        const ZERO: Self = Self(f32x8::ZERO);
+    impl Wide<8> for Numbers {
+        #[inline(always)]
+        fn from_array(numbers: [f32; 8]) -> Self {
+            Self(f32x8::new(numbers))
+        }
+
+        #[inline(always)]
+        fn to_array(self) -> [f32; 8] {
+            self.0.to_array()
+        }
+
+        #[inline(always)]
+        fn columns(rows: [[f32; 8]; 8]) -> [Self; 8] {
+            f32x8::transpose(rows.map(f32x8::new)).map(Self)
+        }
 
         #[inline(always)]
         fn power_below(self) -> Self {

@@ -113,6 +113,7 @@ impl Bvh {
         };
         let mut packet = [nothing; LANES];
         let mut numbers = [0; LANES];
+        let mut prepared = PreparedRays::NOTHING;
         let mut rays = rays.peekable();
         while rays.peek().is_some() {
             let mut asked = [Ray::NOTHING; LANES];
@@ -123,18 +124,16 @@ impl Bvh {
                 numbers[i] = number;
                 count += 1;
             }
-            let mut prepared = PreparedRays::new(&asked, all.exponent);
+            prepared.prepare(&asked, all.exponent);
             for (lane, t_max) in packet.iter_mut().zip(prepared.t_max()) {
                 lane.collector = match all.question {
-                    Question::Closest => ClosestOrAny::closest(t_max),
-                    Question::Any => ClosestOrAny::any(t_max),
+                    Question::Closest => ClosestOrAny::closest(*t_max),
+                    Question::Any => ClosestOrAny::any(*t_max),
                 };
             }
             self.trace(&mut prepared, &mut packet);
-            let hits = packet.map(|lane| lane.collector.closest.hit);
-            let hits = prepared.restore(hits);
-            for (hit, number) in hits.into_iter().zip(numbers).take(count) {
-                answer(number, hit);
+            for (i, lane) in packet.iter().enumerate().take(count) {
+                answer(numbers[i], prepared.restore(i, lane.collector.closest.hit));
             }
         }
     }
