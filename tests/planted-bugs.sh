@@ -66,16 +66,14 @@ plant no-sign-guard core/src/orientation.rs \
   'self.volume * side > self.error' 'self.volume * side > 0.0' \
   slimbvh-core orientation::
 plant fused-edge core/src/watertight.rs \
-  'if !(passage.front | passage.back) {' 'let [sa, sb, sc] = passage.corners;
+  'let Meeting { t, u, v, met } = meet(&ray.lanes(), &corners, limit);' 'let passage = pass(ray.origin, ray.direction, corners);
+    let [sa, sb, sc] = passage.corners;
     let [[_, f0], [_, f1], [_, f2]] = passage.products;
     let fused = |x: f32, y: f32, z: f32| f64::from(x) * f64::from(y) - f64::from(z);
     let d = [fused(sc.x, sb.y, f0), fused(sa.x, sc.y, f1), fused(sb.x, sa.y, f2)];
-    let passage = Passage {
-        front: d.iter().all(|d| *d >= 0.0),
-        back: d.iter().all(|d| *d <= 0.0),
-        ..passage
-    };
-    if !(passage.front | passage.back) {' \
+    let inside = d.iter().all(|d| *d >= 0.0) | d.iter().all(|d| *d <= 0.0);
+    let Meeting { t, u, v, met } = meet(&ray.lanes(), &corners, limit);
+    let met = met & inside;' \
   slimbvh-tests watertight::
 plant fused-orientation core/src/orientation.rs \
   'let normal = Vec3::new(yz - zy, zx - xz, xy - yx);' 'let fused = |x: f32, y: f32, z: f32| (f64::from(x) * f64::from(y) - f64::from(z)) as f32;
@@ -87,8 +85,14 @@ plant printed-number-inside core/src/encode/printed.rs \
     } else {' \
   slimbvh-core printed::
 plant strangers-in-a-packet core/src/trace/packet.rs \
-  'let who = self.who & enter' 'let who = enter' \
+  'let who = self.who & W::bits(meets);' 'let who = W::bits(meets);' \
   slimbvh-tests packets::
+plant scaled-below-the-range core/src/trace/prepare.rs \
+  'is_exact & is_zero_or_large(x) & is_zero_or_large(scaled);' 'is_exact & is_zero_or_large(x);' \
+  slimbvh-core prepare::
+plant axes-of-others core/src/trace/prepare.rs \
+  'let alike = ordinary & alike;' 'let alike = ordinary & (alike | ordinary);' \
+  slimbvh-core prepare::
 # What fuzzing found is in the seeds.
 plant cells-that-underflow core/src/encode/printed.rs \
   'if decode(number, low, high, zero) < x {' 'if false {' \

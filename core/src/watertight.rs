@@ -31,6 +31,12 @@ fn shear<L: Lanes>(origin: [L; 3], direction: [L; 3], corner: [L; 3]) -> Sheared
     }
 }
 
+/// A vector for all lanes.
+#[inline(always)]
+fn spread<L: Lanes>([x, y, z]: [f32; 3]) -> [L; 3] {
+    [L::splat(x), L::splat(y), L::splat(z)]
+}
+
 /// How rays pass a triangle's edges.
 struct Passage<L: Lanes> {
     /// The corners, seen along the rays.
@@ -94,11 +100,9 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
     limit: L,
 ) -> Meeting<L> {
     let zero = L::splat(0.0);
-    let passage = pass(
-        rays.origin,
-        rays.direction,
-        corners.map(|v| v.map(L::splat)),
-    );
+    let [v0, v1, v2] = *corners;
+    let spread = [spread(v0), spread(v1), spread(v2)];
+    let passage = pass(rays.origin, rays.direction, spread);
     let inside = passage.front | passage.back;
     if !L::any(inside) {
         return Meeting {
@@ -119,7 +123,6 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
     let area = e0 + e1 + e2;
 
     // The triangle's own box has the last word.
-    let [v0, v1, v2] = *corners;
     let planes = [
         span(v0[0], v1[0], v2[0]),
         span(v0[1], v1[1], v2[1]),
@@ -210,7 +213,7 @@ fn plane_t<P: Planes<Numbers = L>, L: Lanes>(
         nearest(a.y, b.y, c.y) - origin[1],
         nearest(a.z, b.z, c.z) - origin[2],
     ];
-    let normal = n.to_array().map(L::splat);
+    let normal = spread(n.to_array());
     let (height, slope) = (dot(normal, p), dot(normal, direction));
 
     // The point on the longest side that the ray passes at a right angle, as seen along it.
@@ -218,8 +221,12 @@ fn plane_t<P: Planes<Numbers = L>, L: Lanes>(
     let square = (x * x + y * y).max(L::splat(f32::MIN_POSITIVE));
     let share = -(at.x * x + at.y * y) / square;
     let share = share.min(L::splat(1.0)).max(L::splat(0.0));
-    let beside = |axis: usize| L::splat(from[axis]) + L::splat(side[axis]) * share - origin[axis];
-    let p = [beside(0), beside(1), beside(2)];
+    let (from, side) = (spread::<L>(from.to_array()), spread::<L>(side.to_array()));
+    let p = [
+        from[0] + side[0] * share - origin[0],
+        from[1] + side[1] * share - origin[1],
+        from[2] + side[2] * share - origin[2],
+    ];
     let reach = p[0].abs().max(p[1].abs()).max(p[2].abs());
     let slack = L::splat(PLANE_SLACK) * reach.max(L::splat(longest)) * L::splat(size(n));
     let is_on_plane = (dot(normal, p) - height).abs().at_most(slack);
@@ -327,6 +334,6 @@ mod tests {
             [-1.135_536_8, -0.494_195_16, -0.764_926_7],
         );
         let found = hit(&ray, flat);
-        assert!(found.is_hit() && abs(found.t) < 1e-6, "{found:?}");
+        assert!(found.is_hit() && found.t.abs() < 1e-6, "{found:?}");
     }
 }

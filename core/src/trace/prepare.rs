@@ -9,12 +9,12 @@ use crate::slab::{BoxSpan, Planes};
 /// coordinate is at most 1, and in that of directions, whose largest component is at most 2.
 const APART: f32 = 1.0 / 16.0;
 
-/// Numbers between these, and zero, are scaled by powers of two between them without loss: an ordinary ray has no others.
-const SMALLEST: f32 = power_of_two(-60);
-const LARGEST: f32 = power_of_two(60);
+/// Largest components of directions between these are ordinary, and exponents of scenes.
+const SHORTEST: i32 = -60;
+const LONGEST: i32 = 60;
 
-/// Smaller numbers may be none of full precision by the next scaling.
-const SMALLEST_SCALED: f32 = power_of_two(-100);
+/// Numbers that are smaller, before or after they are scaled by a power of two, may lose bits.
+const SMALLEST: f32 = power_of_two(-100);
 
 /// Several rays, as the tracer uses them. Each is what [`PreparedRay::new`] makes of it, to the bit.
 #[derive(Clone, Copy)]
@@ -65,23 +65,25 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
         let is_x = dx.at_least(longest);
         let is_y = dy.at_least(longest) & !is_x;
         let unit = longest.power_below();
-        let exponent_in_range = scene_exponent.clamp(-60, 60);
-        let scale = W::splat(power_of_two(exponent_in_range));
-        let [near_end, far_end] = [t_min, t_max].map(|t| scaled_end(t, scale * unit));
-        let origin = origin.map(|x| (x * scale, is_ordinary(x)));
-        let to_unit = W::splat(1.0) / unit;
-        let direction = direction.map(|x| (x * to_unit, is_ordinary(x)));
-        let is_sane = |[x, y, z]: [(W, W::Mask); 3]| x.1 & y.1 & z.1;
-        let [ox, oy, oz] = origin.map(|x| x.0.abs());
+        let exponent_in_range = scene_exponent.clamp(SHORTEST, LONGEST);
+        let (scale, to_unit) = (
+            W::splat(power_of_two(exponent_in_range)),
+            W::splat(1.0) / unit,
+        );
+        let (origin, is_exact) = scaled(origin, scale);
+        let [ox, oy, oz] = origin.map(W::abs);
         let farthest = ox.max(oy).max(oz);
-        let ordinary = is_sane(origin)
-            & is_sane(direction)
-            & longest.at_least(W::splat(SMALLEST))
-            & farthest.at_most(W::splat(FARTHEST_ORIGIN))
-            & is_ordinary(t_min)
-            & t_max.at_least(W::splat(0.0))
-            & near_end.1
-            & far_end.1;
+        let ordinary = is_exact & farthest.at_most(W::splat(FARTHEST_ORIGIN));
+        let (direction, is_exact) = scaled(direction, to_unit);
+        let ordinary = ordinary
+            & is_exact
+            & longest.at_least(W::splat(power_of_two(SHORTEST)))
+            & longest.at_most(W::splat(power_of_two(LONGEST)));
+        let (ends, is_exact) = scaled([t_min, t_max], scale * unit);
+        let ordinary =
+            ordinary & is_exact & t_min.abs().at_most(W::splat(f32::MAX)) & t_max.at_least(W::ZERO);
+        // Beyond the range they are as large as can be.
+        let [t_min, t_max] = ends.map(|t| t.max(W::splat(f32::MIN)).min(W::splat(f32::MAX)));
         let ordinary = if exponent_in_range == scene_exponent {
             W::bits(ordinary)
         } else {
@@ -100,10 +102,9 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
         };
         let alike = ordinary & alike;
         let (origin, direction) = (turned(origin, last), turned(direction, last));
-        let near = near(origin.map(|x| x.0), first) & near(direction.map(|x| x.0), first);
-        let axis = |i: usize| Axis::new(origin[i].0, direction[i].0);
+        let near = near(origin, first) & near(direction, first);
+        let axis = |i: usize| Axis::new(origin[i], direction[i]);
         let [a, b, c] = [axis(0), axis(1), axis(2)];
-        let (t_min, t_max) = (near_end.0, far_end.0);
         self.axes = turned([0, 1, 2], last);
         self.lanes = RayLanes {
             origin: [a.origin, b.origin, c.origin],
@@ -184,26 +185,21 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
     }
 }
 
-/// Whether a number of a ray is zero or neither very large nor very small.
+/// Numbers times powers of two, and where all of them are exact or too large.
 #[inline(always)]
-fn is_ordinary<W: Lanes>(x: W) -> W::Mask {
-    let x = x.abs();
-    x.at_most(W::splat(LARGEST)) & is_large(x, SMALLEST)
+fn scaled<W: Lanes, const N: usize>(numbers: [W; N], factor: W) -> ([W; N], W::Mask) {
+    let mut is_exact = W::ZERO.at_most(W::ZERO);
+    let scaled = numbers.map(|x| {
+        let scaled = x * factor;
+        is_exact = is_exact & is_zero_or_large(x) & is_zero_or_large(scaled);
+        scaled
+    });
+    (scaled, is_exact)
 }
 
-/// Whether a magnitude is zero or at least so large.
 #[inline(always)]
-fn is_large<W: Lanes>(x: W, than: f32) -> W::Mask {
-    x.at_least(W::splat(than)) | x.at_most(W::splat(0.0))
-}
-
-/// An end of a ray's range times a power of two, the largest number if beyond; and whether it is exact.
-#[inline(always)]
-fn scaled_end<W: Lanes>(t: W, factor: W) -> (W, W::Mask) {
-    let scaled = t * factor;
-    let exact = is_large(t.abs(), SMALLEST) & is_large(scaled.abs(), SMALLEST_SCALED);
-    let scaled = scaled.max(W::splat(f32::MIN)).min(W::splat(f32::MAX));
-    (scaled, exact)
+fn is_zero_or_large<W: Lanes>(x: W) -> W::Mask {
+    x.abs().at_least(W::splat(SMALLEST)) | x.abs().at_most(W::ZERO)
 }
 
 /// Which vectors are so near to the first one, on all axes, that their rays are expected to pass the same nodes.
@@ -224,5 +220,113 @@ fn turned<T>([x, y, z]: [T; 3], last: u32) -> [T; 3] {
         0 => [y, z, x],
         1 => [z, x, y],
         _ => [x, y, z],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::Each;
+    use proptest::array::uniform3;
+    use proptest::prelude::*;
+
+    fn any_number() -> impl Strategy<Value = f32> {
+        any::<u32>().prop_map(f32::from_bits)
+    }
+
+    /// Numbers about this large, or zero.
+    fn number_near(exponent: i32) -> impl Strategy<Value = f32> {
+        let near = (-1.0f32..1.0, -30..2i32);
+        prop_oneof![
+            1 => prop_oneof![Just(0.0f32), Just(-0.0)],
+            8 => near.prop_map(move |(x, e)| x * power_of_two(exponent + e)),
+        ]
+    }
+
+    fn end(exponent: i32) -> impl Strategy<Value = f32> {
+        prop_oneof![
+            Just(0.0),
+            Just(f32::MAX),
+            Just(f32::INFINITY),
+            number_near(exponent),
+            any_number()
+        ]
+    }
+
+    /// Some rays of the same magnitudes, and some of any.
+    fn any_rays() -> impl Strategy<Value = [Ray; 8]> {
+        let ray = |(origin, direction, t_min, t_max)| Ray {
+            origin,
+            t_min,
+            direction,
+            t_max,
+        };
+        (-70..70i32, -70..70i32).prop_flat_map(move |(size, length)| {
+            let (place, way) = (uniform3(number_near(size)), uniform3(number_near(length)));
+            let usual = (place, way, end(size - length), end(size - length));
+            let any = || uniform3(any_number());
+            let unusual = (any(), any(), any_number(), any_number());
+            let rays = prop_oneof![9 => usual.prop_map(ray), 1 => unusual.prop_map(ray)];
+            proptest::array::uniform8(rays)
+        })
+    }
+
+    fn bits(ray: &PreparedRay) -> impl PartialEq + core::fmt::Debug + use<> {
+        let PreparedRay {
+            axes,
+            origin,
+            direction,
+            plane_origins: [a, b, c],
+            inverse,
+            t_min,
+            t_max,
+            t_exponent,
+        } = *ray;
+        let vectors = [origin, direction, inverse].map(|v| v.map(f32::to_bits));
+        let planes = [a, b, c].map(|p| p.to_array().map(f32::to_bits));
+        let ends = [t_min, t_max].map(f32::to_bits);
+        (axes, t_exponent, (vectors, planes, ends))
+    }
+
+    fn prepared(rays: &[Ray; 8], exponent: i32) -> PreparedRays<Each<8>, 8> {
+        // Whatever was there before.
+        let mut prepared = PreparedRays::NOTHING;
+        prepared.prepare(&[Ray::new([1.0, 2.0, 3.0], [4.0, 5.0, 6.0]); 8], 3);
+        for i in 0..8 {
+            prepared.alone(i);
+        }
+        prepared.prepare(rays, exponent);
+        prepared
+    }
+
+    proptest! {
+        #[test]
+        fn each_is_prepared_as_alone(rays in any_rays(), exponent in -127..=150i32) {
+            let mut prepared = prepared(&rays, exponent);
+            for (i, ray) in rays.iter().enumerate() {
+                let alone = PreparedRay::new(ray, exponent);
+                let (t_max, t_exponent) = (prepared.t_max()[i], prepared.t_exponent[i]);
+                prop_assert_eq!(t_max.to_bits(), alone.t_max.to_bits());
+                prop_assert_eq!(t_exponent, alone.t_exponent);
+                let is_member = prepared.members >> i & 1 == 1;
+                prop_assert_eq!(bits(prepared.alone(i)), bits(&alone));
+                if is_member {
+                    // As the walk sees it.
+                    prop_assert_eq!(bits(&prepared.lane(i)), bits(&alone));
+                    prop_assert!(alone.t_min <= alone.t_max);
+                    prop_assert_eq!(prepared.axes, alone.axes);
+                }
+            }
+        }
+
+        #[test]
+        fn rays_side_by_side_walk_together(size in -50..50i32, length in -50..50i32, x in -1.0f32..1.0, y in -1.0f32..1.0) {
+            let rays: [Ray; 8] = core::array::from_fn(|i| {
+                let off = i as f32 / 256.0;
+                let (origin, direction) = ([x, off, 0.5], [y + off, y, 1.5]);
+                Ray::new(origin.map(|x| x * power_of_two(size)), direction.map(|x| x * power_of_two(length)))
+            });
+            prop_assert_eq!(prepared(&rays, -size).members, 0xff);
+        }
     }
 }

@@ -24,7 +24,7 @@ use slimbvh_core::encode::{
     scaled_step, with_links,
 };
 use slimbvh_core::float::{PowerOfTwo, power_of_two};
-use slimbvh_core::lanes::Eight;
+use slimbvh_core::lanes::Each;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::launch::carries;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
@@ -305,8 +305,8 @@ pub fn trace_together(
     triangles: &[LeafTriangle],
     root: &RootWords,
     stacks: (
-        &mut PacketStacks<NodeRef, Eight>,
-        &mut PacketStacks<LatticeCursor, Eight>,
+        &mut PacketStacks<NodeRef, Each<8>>,
+        &mut PacketStacks<LatticeCursor, Each<8>>,
     ),
     to: Out<[[Lane<Except, ClosestHit>; 8]; 2]>,
 ) {

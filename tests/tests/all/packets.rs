@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use slimbvh::generate::{icosphere, terrain};
 use slimbvh::{BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind};
 use slimbvh_core::classify::Except;
-use slimbvh_core::lanes::Eight;
+use slimbvh_core::lanes::Each;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::trace::{
     ClosestHit, Collector, Counted, Lane, LeafTriangles, NodeSource, PacketStacks, PlainNodes,
@@ -242,7 +242,7 @@ fn a_tree_with_circles_is_left() {
         }
     };
     let mut alone = lane(-0.52);
-    let mut stacks: PacketStacks<NodeRef, Eight> = PacketStacks::EMPTY;
+    let mut stacks: PacketStacks<NodeRef, Each<8>> = PacketStacks::EMPTY;
     trace_alone(&mut stacks.alone, &sources.0, &sources.1, &mut alone);
     let limit = sources.0.step_limit();
     assert_eq!(alone.collector.node_count, limit);
